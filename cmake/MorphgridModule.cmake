@@ -1,0 +1,33 @@
+# morphgrid_module(NAME DEPENDENCY...): the library of host/NAME. A dependency that is a module's
+# name links that module.
+function(morphgrid_module name)
+  file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/host/${name}/*.cpp)
+  list(FILTER sources EXCLUDE REGEX "/main\\.cpp$")
+  set(target morphgrid_${name})
+  if(NOT sources)
+    return()
+  endif()
+  add_library(${target} STATIC ${sources})
+  # A module sees its own folder and, through its dependencies, theirs: nothing else.
+  set(view ${CMAKE_BINARY_DIR}/include/${name})
+  file(MAKE_DIRECTORY ${view})
+  file(CREATE_LINK ${CMAKE_SOURCE_DIR}/host/${name} ${view}/${name} SYMBOLIC)
+  target_include_directories(${target} PUBLIC ${view})
+  morphgrid_compile_options(${target})
+  foreach(dependency IN LISTS ARGN)
+    if(TARGET morphgrid_${dependency})
+      target_link_libraries(${target} PUBLIC morphgrid_${dependency})
+    else()
+      target_link_libraries(${target} PUBLIC ${dependency})
+    endif()
+  endforeach()
+endfunction()
+
+function(morphgrid_compile_options target)
+  target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wshadow -Wno-missing-field-initializers)
+  if(MORPHGRID_SANITIZE)
+    target_compile_options(${target} PUBLIC -fsanitize=address,undefined -fno-sanitize-recover=all
+                                            -fno-omit-frame-pointer)
+    target_link_options(${target} PUBLIC -fsanitize=address,undefined)
+  endif()
+endfunction()

@@ -1,0 +1,59 @@
+#pragma once
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "design/grid_design.h"
+#include "grid/build_grids.h"
+#include "solve/equilibrium.h"
+#include "surface/surface.h"
+
+namespace morphgrid {
+
+enum class Method { jacobi, reference };
+
+/// The figures that the paper prints for a scene, shown beside ours; percent values are percent.
+struct PublishedFigures {
+  std::string figure;  ///< e.g. "Fig. 4"
+  std::optional<double> longestIsolineU, longestIsolineV, largestCurvature;
+  std::optional<int> nodesU, nodesV;
+  std::optional<double> bendShrinkPercent, l0Percent, lbPercent, anglePercent;
+};
+
+struct PictureChoices {
+  bool enabled = true;
+  int width = 1280;
+  int height = 960;
+};
+
+struct FileChoices {
+  bool gltf = true;
+  bool vtu = true;
+  bool ply = true;
+  bool obj = true;
+};
+
+/// One scene file, read and checked. Exactly one of surface and bendAngles is set.
+struct Scene {
+  std::string name;  ///< The file's stem.
+  std::filesystem::path file;
+  std::shared_ptr<const Surface> surface;
+  std::optional<BendAngleRequest> bendAngles;
+  DesignRequest design;
+  Weights weights;
+  Scaling scaling = Scaling::normalised;
+  Method method = Method::jacobi;
+  SolveOptions solve;
+  PictureChoices pictures;
+  FileChoices files;
+  std::optional<PublishedFigures> published;
+};
+
+/// Reads a TOML scene; overrides are `key=value` with dotted keys, e.g. "grid.layers=4", applied before
+/// the checks. Throws InputError with every problem of the file, one a line, each as
+/// `file:line:column: what is wrong, what is allowed, what was found`.
+Scene loadScene(const std::filesystem::path& file, const std::vector<std::string>& overrides = {});
+
+}  // namespace morphgrid

@@ -1,0 +1,31 @@
+#pragma once
+#include <filesystem>
+#include <string_view>
+
+namespace morphgrid {
+
+/// A file under construction: write to path(), then commit() renames it to its final name.
+/// Without commit() nothing is left behind and a file already there stays as it was.
+class PendingFile {
+ public:
+  explicit PendingFile(std::filesystem::path finalPath);
+  ~PendingFile();
+  PendingFile(const PendingFile&) = delete;
+  PendingFile& operator=(const PendingFile&) = delete;
+
+  /// The temporary name, in the same folder and with the same extension as the final one.
+  const std::filesystem::path& path() const { return temporaryPath_; }
+
+  /// Throws InputError when the file cannot be renamed.
+  void commit();
+
+ private:
+  std::filesystem::path finalPath_;
+  std::filesystem::path temporaryPath_;
+  bool committed_ = false;
+};
+
+/// Writes bytes to a temporary name and renames. Throws InputError when the disk refuses.
+void writeFileAtomically(const std::filesystem::path& path, std::string_view bytes);
+
+}  // namespace morphgrid

@@ -1,0 +1,41 @@
+#pragma once
+#include <Eigen/Core>
+#include <vector>
+
+#include "core/lateral_field.h"
+#include "surface/surface.h"
+
+namespace morphgrid {
+
+/// First pass over a surface: its extents and curvature, before any grid is chosen.
+struct SurfaceSurvey {
+  double longestIsolineU;  ///< Length of the longest isoline along u.
+  double longestIsolineV;
+  double largestCurvatureU;  ///< Largest |kappa| along u, in 1 / length.
+  double largestCurvatureV;
+  std::vector<double> sortedCurvatures;  ///< All |kappa|, ascending.
+
+  double largestCurvature() const { return sortedCurvatures.back(); }
+};
+
+/// Walks 100 isolines in u and in v with 1000 samples each (paper, section 3.2).
+/// Throws InputError when the surface has no extent along u or v.
+SurfaceSurvey surveySurface(const Surface& surface);
+
+/// kappa_max: |kappa| sorted, at index floor((n-1) cutoff); cutoff in (0, 1].
+double curvatureAtCutoff(const SurfaceSurvey& survey, double cutoff);
+
+/// Second pass, at node size: one length and curvature for each lateral strut.
+struct SurfaceMeasurement {
+  int nodesU;
+  int nodesV;
+  LateralField<double> chords;      ///< Straight distance between a strut's end points.
+  LateralField<double> curvatures;  ///< Signed kappa, capped, mean of 100 samples a strut.
+  Eigen::Matrix3Xd points;  ///< Target of each vertex of the middle layer, index j (nodesU+1) + i.
+};
+
+/// Every |kappa| sample is capped to curvatureLimit before the mean is taken.
+SurfaceMeasurement measureSurface(const Surface& surface, int nodesU, int nodesV,
+                                  double curvatureLimit);
+
+}  // namespace morphgrid
