@@ -9,7 +9,8 @@
 namespace morphgrid {
 namespace {
 
-const std::vector<double>& along(const StrutValues& values, Strut::Direction direction) {
+template <typename Values>  // StrutValues or const StrutValues
+auto& along(Values& values, Strut::Direction direction) {
   switch (direction) {
     case Strut::Direction::u:
       return values.u;
@@ -60,7 +61,7 @@ double valueAt(const StrutValues& values, const Strut& strut) {
 }
 
 double& valueAt(StrutValues& values, const Strut& strut) {
-  return const_cast<double&>(valueAt(std::as_const(values), strut));
+  return along(values, strut.direction)[strut.from];
 }
 
 void validate(const StrutGrid& grid) {

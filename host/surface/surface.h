@@ -1,15 +1,7 @@
 #pragma once
 #include <Eigen/Core>
-#include <string>
 
 namespace morphgrid {
-
-/// Signed curvature of the two isolines through a point, in 1 / length.
-/// Positive where the isoline curves towards the surface normal p_u x p_v.
-struct IsolineCurvature {
-  double alongU;
-  double alongV;
-};
 
 /// A target surface over the unit square of parameters (u, v).
 class Surface {
@@ -21,8 +13,10 @@ class Surface {
   /// Unit normal, p_u x p_v normalised; finite everywhere.
   virtual Eigen::Vector3d normal(double u, double v) const = 0;
 
-  /// kappa = S |Q' x Q''| / |Q'|^3 with S = sgn(N . Q''), finite everywhere.
-  virtual IsolineCurvature curvature(double u, double v) const = 0;
+  /// Signed curvature of the isoline along u (v fixed), in 1 / length, finite everywhere:
+  /// S |Q' x Q''| / |Q'|^3 with S = sgn(N . Q''), positive where it curves towards the normal.
+  virtual double curvatureAlongU(double u, double v) const = 0;
+  virtual double curvatureAlongV(double u, double v) const = 0;
 };
 
 }  // namespace morphgrid

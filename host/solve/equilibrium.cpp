@@ -1,0 +1,19 @@
+#include "solve/equilibrium.h"
+
+namespace morphgrid {
+
+std::string toString(StopReason reason) {
+  switch (reason) {
+    case StopReason::residual:
+      return "residual";
+    case StopReason::iterationLimit:
+      return "iteration limit";
+    case StopReason::stagnated:
+      return "stagnated";
+    case StopReason::interrupted:
+      return "interrupted";
+  }
+  return "unknown";
+}
+
+}  // namespace morphgrid

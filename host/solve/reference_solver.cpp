@@ -1,0 +1,176 @@
+#include "solve/reference_solver.h"
+
+#include <Eigen/SparseCholesky>
+#include <chrono>
+#include <deque>
+#include <optional>
+
+#include "core/interrupt.h"
+#include "solve/energy.h"
+
+namespace morphgrid {
+namespace {
+
+using Eigen::Matrix3Xd;
+using Clock = std::chrono::steady_clock;
+
+constexpr std::size_t kPairs = 8;
+constexpr int kLineSearchSteps = 30;
+constexpr double kSufficientDecrease = 1e-4;
+constexpr double kLargestMove = 2;  // Spacings that a vertex may move in one step.
+constexpr long kSampleEvery = 10;
+
+double dot(const Matrix3Xd& a, const Matrix3Xd& b) { return a.cwiseProduct(b).sum(); }
+
+/// Twice the constant matrix of projective dynamics, factorised; x, y and z share it.
+class ConstantMatrix {
+ public:
+  ConstantMatrix(const StrutGrid& grid, const StrutEnergy& energy) {
+    std::vector<Eigen::Triplet<double>> entries;
+    const auto connect = [&](int a, int b, double weight) {
+      entries.emplace_back(a, a, 2 * weight);
+      entries.emplace_back(b, b, 2 * weight);
+      entries.emplace_back(a, b, -2 * weight);
+      entries.emplace_back(b, a, -2 * weight);
+    };
+    for (const Strut& strut : energy.struts()) {
+      connect(strut.from, strut.to, valueAt(grid.stiffness, strut));
+    }
+    for (const Corner& corner : energy.corners()) {
+      connect(corner.apex, corner.a, grid.angleWeight);
+      connect(corner.apex, corner.b, grid.angleWeight);
+    }
+    // Translations leave the energy unchanged; a weak hold on one vertex makes the matrix definite.
+    entries.emplace_back(0, 0, 1e-6 * energy.constraintWeights().mean());
+    const int count = grid.shape.vertexCount();
+    Eigen::SparseMatrix<double> matrix(count, count);
+    matrix.setFromTriplets(entries.begin(), entries.end());
+    factor_.compute(matrix);
+  }
+
+  Matrix3Xd solve(const Matrix3Xd& right) const {
+    const Eigen::MatrixXd transposed = right.transpose();
+    return factor_.solve(transposed).transpose();
+  }
+
+ private:
+  Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factor_;
+};
+
+/// The two-loop recursion (Nocedal & Wright, algorithm 7.4).
+class LimitedMemory {
+ public:
+  void clear() { pairs_.clear(); }
+  bool empty() const { return pairs_.empty(); }
+
+  void add(Matrix3Xd step, Matrix3Xd gradientChange) {
+    const double curvature = dot(step, gradientChange);
+    if (curvature <= 0) {
+      return;
+    }
+    pairs_.push_back({std::move(step), std::move(gradientChange), 1 / curvature});
+    if (pairs_.size() > kPairs) {
+      pairs_.pop_front();
+    }
+  }
+
+  Matrix3Xd direction(const Matrix3Xd& gradient, const ConstantMatrix& matrix) const {
+    Matrix3Xd q = gradient;
+    std::vector<double> alpha(pairs_.size());
+    for (std::size_t n = pairs_.size(); n-- > 0;) {
+      alpha[n] = pairs_[n].inverse * dot(pairs_[n].step, q);
+      q -= alpha[n] * pairs_[n].change;
+    }
+    q = matrix.solve(q);
+    for (std::size_t n = 0; n < pairs_.size(); ++n) {
+      const double beta = pairs_[n].inverse * dot(pairs_[n].change, q);
+      q += (alpha[n] - beta) * pairs_[n].step;
+    }
+    return -q;
+  }
+
+ private:
+  struct Pair {
+    Matrix3Xd step;
+    Matrix3Xd change;
+    double inverse;
+  };
+  std::deque<Pair> pairs_;
+};
+
+struct Trial {
+  Matrix3Xd positions;
+  StrutEnergy::Value value;
+};
+
+/// Backtracking until the energy falls enough; nothing when no step does.
+std::optional<Trial> searchLine(const StrutEnergy& energy, const Matrix3Xd& positions,
+                                const StrutEnergy::Value& at, const Matrix3Xd& direction,
+                                double spacing) {
+  const double slope = dot(direction, at.gradient);
+  if (slope >= 0) {
+    return std::nullopt;
+  }
+  const double longest = direction.colwise().norm().maxCoeff();
+  double step = std::min(1.0, kLargestMove * spacing / longest);
+  for (int attempt = 0; attempt < kLineSearchSteps; ++attempt, step *= 0.5) {
+    Matrix3Xd candidate = positions + step * direction;
+    StrutEnergy::Value value = energy.evaluate(candidate);
+    if (value.energy <= at.energy + kSufficientDecrease * step * slope) {
+      return Trial{std::move(candidate), std::move(value)};
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+Equilibrium solveReference(const StrutGrid& grid, const SolveOptions& options) {
+  validate(grid);
+  const auto start = Clock::now();
+  const StrutEnergy energy(grid);
+  const ConstantMatrix matrix(grid, energy);
+  LimitedMemory memory;
+
+  Equilibrium result;
+  result.positions = grid.positions;
+  StrutEnergy::Value value = energy.evaluate(result.positions);
+  for (;; ++result.iterations) {
+    result.energy = value.energy;
+    result.residual = energy.residual(value.gradient);
+    result.seconds = std::chrono::duration<double>(Clock::now() - start).count();
+    result.converged = result.residual <= options.tolerance;
+    const bool last = result.converged || result.iterations >= options.iterationLimit;
+    if (last || result.iterations % kSampleEvery == 0) {
+      result.history.push_back(
+          {result.iterations, result.energy, result.residual, result.seconds});
+      if (options.onProgress) {
+        options.onProgress(result.history.back());
+      }
+    }
+    if (last) {
+      result.reason = result.converged ? StopReason::residual : StopReason::iterationLimit;
+      return result;
+    }
+    if (interruptRequested()) {
+      result.reason = StopReason::interrupted;
+      return result;
+    }
+    auto trial = searchLine(energy, result.positions, value,
+                            memory.direction(value.gradient, matrix), grid.spacing);
+    if (!trial && !memory.empty()) {
+      memory.clear();
+      trial = searchLine(energy, result.positions, value, memory.direction(value.gradient, matrix),
+                         grid.spacing);
+    }
+    if (!trial) {
+      result.reason = StopReason::stagnated;
+      return result;
+    }
+    memory.add(trial->positions - result.positions, trial->value.gradient - value.gradient);
+    result.positions = std::move(trial->positions);
+    value = std::move(trial->value);
+  }
+}
+
+}  // namespace morphgrid

@@ -1,0 +1,137 @@
+#include "surface/bezier_patch.h"
+
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+#include "core/error.h"
+
+namespace morphgrid {
+namespace {
+
+using Eigen::Vector3d;
+using Eigen::Vector4d;
+
+Vector4d bernstein(double t) {
+  const double s = 1 - t;
+  return {s * s * s, 3 * s * s * t, 3 * s * t * t, t * t * t};
+}
+
+Vector4d bernsteinFirst(double t) {
+  const double s = 1 - t;
+  return {-3 * s * s, 3 * s * s - 6 * s * t, 6 * s * t - 3 * t * t, 3 * t * t};
+}
+
+Vector4d bernsteinSecond(double t) {
+  const double s = 1 - t;
+  return {6 * s, 6 * (t - 2 * s), 6 * (s - 2 * t), 6 * t};
+}
+
+Vector3d combine(const BezierPatch::ControlPoints& points, const Vector4d& alongU,
+                 const Vector4d& alongV) {
+  Vector3d sum = Vector3d::Zero();
+  for (int j = 0; j < 4; ++j) {
+    for (int i = 0; i < 4; ++i) {
+      sum += alongU[i] * alongV[j] * points[j][i];
+    }
+  }
+  return sum;
+}
+
+/// Lengths and areas below this share of the patch's size count as vanished.
+constexpr double kDegenerate = 1e-9;
+
+/// Where a tangent vanishes (collapsed edge, coincident control points) the frame is taken this share
+/// of the way to the centre.
+constexpr double kInward = 1e-3;
+
+double inward(double t) { return t + kInward * (0.5 - t); }
+
+double signedCurvature(const Vector3d& first, const Vector3d& second, const Vector3d& normal,
+                       double size) {
+  const double speed = first.norm();
+  if (speed <= kDegenerate * size) {
+    return 0;  // The isoline is a point: it has no direction to bend in.
+  }
+  const double sign = normal.dot(second) >= 0 ? 1 : -1;
+  return sign * first.cross(second).norm() / (speed * speed * speed);
+}
+
+}  // namespace
+
+BezierPatch::BezierPatch(const ControlPoints& controlPoints) : controlPoints_(controlPoints) {
+  Vector3d low = controlPoints[0][0];
+  Vector3d high = low;
+  for (int j = 0; j < 4; ++j) {
+    for (int i = 0; i < 4; ++i) {
+      const Vector3d& p = controlPoints[j][i];
+      if (!p.allFinite()) {
+        throw InputError(fmt::format("control point (row {}, column {}) must be finite, got [{}, {}, {}]",
+                                     j, i, p.x(), p.y(), p.z()));
+      }
+      low = low.cwiseMin(p);
+      high = high.cwiseMax(p);
+    }
+  }
+  size_ = (high - low).norm();
+
+  double largestArea = 0;
+  constexpr int kProbes = 8;
+  for (int a = 0; a <= kProbes; ++a) {
+    for (int b = 0; b <= kProbes; ++b) {
+      const double u = double(a) / kProbes;
+      const double v = double(b) / kProbes;
+      const Vector3d alongU = combine(controlPoints_, bernsteinFirst(u), bernstein(v));
+      const Vector3d alongV = combine(controlPoints_, bernstein(u), bernsteinFirst(v));
+      largestArea = std::max(largestArea, alongU.cross(alongV).norm());
+    }
+  }
+  if (!(largestArea > kDegenerate * size_ * size_)) {
+    throw InputError(
+        "the patch has no area: its control points coincide or lie on a line; a surface needs points "
+        "that span one");
+  }
+}
+
+Vector3d BezierPatch::point(double u, double v) const {
+  return combine(controlPoints_, bernstein(u), bernstein(v));
+}
+
+Vector3d BezierPatch::normal(double u, double v) const {
+  // A second try further inside finds the frame that a collapsed edge or corner lacks.
+  for (int attempt = 0; attempt < 2; ++attempt) {
+    const Vector3d alongU = combine(controlPoints_, bernsteinFirst(u), bernstein(v));
+    const Vector3d alongV = combine(controlPoints_, bernstein(u), bernsteinFirst(v));
+    const Vector3d cross = alongU.cross(alongV);
+    if (cross.norm() > kDegenerate * size_ * size_) {
+      return cross.normalized();
+    }
+    u = inward(u);
+    v = inward(v);
+  }
+  return Vector3d::UnitZ();
+}
+
+double BezierPatch::curvatureAlongU(double u, double v) const {
+  Vector3d first = combine(controlPoints_, bernsteinFirst(u), bernstein(v));
+  if (first.norm() <= kDegenerate * size_) {
+    u = inward(u);
+    first = combine(controlPoints_, bernsteinFirst(u), bernstein(v));
+  }
+  return signedCurvature(first, combine(controlPoints_, bernsteinSecond(u), bernstein(v)),
+                         normal(u, v), size_);
+}
+
+double BezierPatch::curvatureAlongV(double u, double v) const {
+  Vector3d first = combine(controlPoints_, bernstein(u), bernsteinFirst(v));
+  if (first.norm() <= kDegenerate * size_) {
+    v = inward(v);
+    first = combine(controlPoints_, bernstein(u), bernsteinFirst(v));
+  }
+  return signedCurvature(first, combine(controlPoints_, bernstein(u), bernsteinSecond(v)),
+                         normal(u, v), size_);
+}
+
+}  // namespace morphgrid
