@@ -3,6 +3,7 @@
 #include <Eigen/SparseCholesky>
 #include <chrono>
 #include <deque>
+#include <limits>
 #include <optional>
 
 #include "core/interrupt.h"
@@ -17,6 +18,10 @@ using Clock = std::chrono::steady_clock;
 constexpr std::size_t kPairs = 8;
 constexpr int kLineSearchSteps = 30;
 constexpr double kSufficientDecrease = 1e-4;
+// Near the minimum the energy's rounding hides its decrease; there the slope decides (approximate Wolfe
+// condition, Hager & Zhang 2005).
+constexpr double kEnergyRounding = 1e-13;
+constexpr long kPatience = 300;  // Iterations without a new best residual that end the run.
 constexpr double kLargestMove = 2;  // Spacings that a vertex may move in one step.
 constexpr long kSampleEvery = 10;
 
@@ -116,7 +121,10 @@ std::optional<Trial> searchLine(const StrutEnergy& energy, const Matrix3Xd& posi
   for (int attempt = 0; attempt < kLineSearchSteps; ++attempt, step *= 0.5) {
     Matrix3Xd candidate = positions + step * direction;
     StrutEnergy::Value value = energy.evaluate(candidate);
-    if (value.energy <= at.energy + kSufficientDecrease * step * slope) {
+    const bool decreases = value.energy <= at.energy + kSufficientDecrease * step * slope;
+    const bool flattens = value.energy <= at.energy * (1 + kEnergyRounding) &&
+                          dot(direction, value.gradient) <= (2 * kSufficientDecrease - 1) * slope;
+    if (decreases || flattens) {
       return Trial{std::move(candidate), std::move(value)};
     }
   }
@@ -135,6 +143,8 @@ Equilibrium solveReference(const StrutGrid& grid, const SolveOptions& options) {
   Equilibrium result;
   result.positions = grid.positions;
   StrutEnergy::Value value = energy.evaluate(result.positions);
+  double bestResidual = std::numeric_limits<double>::infinity();
+  long bestIteration = 0;
   for (;; ++result.iterations) {
     result.energy = value.energy;
     result.residual = energy.residual(value.gradient);
@@ -147,6 +157,10 @@ Equilibrium solveReference(const StrutGrid& grid, const SolveOptions& options) {
       if (options.onProgress) {
         options.onProgress(result.history.back());
       }
+    }
+    if (result.residual < 0.9 * bestResidual) {
+      bestResidual = result.residual;
+      bestIteration = result.iterations;
     }
     if (last) {
       result.reason = result.converged ? StopReason::residual : StopReason::iterationLimit;
@@ -163,7 +177,7 @@ Equilibrium solveReference(const StrutGrid& grid, const SolveOptions& options) {
       trial = searchLine(energy, result.positions, value, memory.direction(value.gradient, matrix),
                          grid.spacing);
     }
-    if (!trial) {
+    if (!trial || result.iterations - bestIteration > kPatience) {
       result.reason = StopReason::stagnated;
       return result;
     }

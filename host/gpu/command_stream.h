@@ -1,0 +1,58 @@
+#pragma once
+#include "gpu/compute_kernel.h"
+
+namespace morphgrid {
+
+/// Commands recorded once and submitted as often as wanted. Dispatches and copies are ordered: each
+/// sees what the ones before it wrote.
+class CommandStream {
+ public:
+  explicit CommandStream(const Device& device);
+
+  /// Throws away what was recorded.
+  void begin();
+
+  template <typename Push>
+  void dispatch(const ComputeKernel& kernel, const Push& push, std::uint32_t groupsX,
+                std::uint32_t groupsY = 1, std::uint32_t groupsZ = 1) {
+    dispatchBytes(kernel, &push, sizeof(Push), groupsX, groupsY, groupsZ);
+  }
+
+  void copy(const Buffer& from, const Buffer& to, vk::DeviceSize bytes);
+  void end();
+
+  /// Runs what was recorded and waits. Throws DeviceError when the device fails.
+  void submitAndWait();
+
+  /// For commands that this class does not know (rendering).
+  const vk::raii::CommandBuffer& commands() const { return commands_; }
+
+ private:
+  void dispatchBytes(const ComputeKernel& kernel, const void* push, std::uint32_t pushBytes,
+                     std::uint32_t groupsX, std::uint32_t groupsY, std::uint32_t groupsZ);
+  void orderAfterPrevious();
+
+  const Device& device_;
+  vk::raii::CommandPool pool_ = nullptr;
+  vk::raii::CommandBuffer commands_ = nullptr;
+  vk::raii::Fence fence_ = nullptr;
+};
+
+/// Fills a device buffer with `data`, through a staging buffer.
+void uploadBytes(const Device& device, const Buffer& buffer, const void* data, std::size_t bytes);
+/// Reads a device buffer back.
+void downloadBytes(const Device& device, const Buffer& buffer, void* data, std::size_t bytes);
+
+template <typename T>
+void upload(const Device& device, const Buffer& buffer, const std::vector<T>& values) {
+  uploadBytes(device, buffer, values.data(), values.size() * sizeof(T));
+}
+
+template <typename T>
+std::vector<T> download(const Device& device, const Buffer& buffer, std::size_t count) {
+  std::vector<T> values(count);
+  downloadBytes(device, buffer, values.data(), count * sizeof(T));
+  return values;
+}
+
+}  // namespace morphgrid

@@ -1,0 +1,227 @@
+#include "gpu/device.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <charconv>
+#include <optional>
+
+#include "core/error.h"
+
+namespace morphgrid {
+namespace {
+
+constexpr std::uint32_t kApiVersion = VK_API_VERSION_1_2;
+constexpr const char* kValidationLayer = "VK_LAYER_KHRONOS_validation";
+constexpr const char* kNoDeviceAdvice =
+    "install a driver for your GPU, or the software device: apt-get install mesa-vulkan-drivers";
+
+VKAPI_ATTR VkBool32 VKAPI_CALL collectMessage(VkDebugUtilsMessageSeverityFlagBitsEXT,
+                                              VkDebugUtilsMessageTypeFlagsEXT,
+                                              const VkDebugUtilsMessengerCallbackDataEXT* data,
+                                              void* messages) {
+  static_cast<std::vector<std::string>*>(messages)->emplace_back(data->pMessage);
+  return VK_FALSE;
+}
+
+vk::raii::Context loadVulkan() {
+  try {
+    return vk::raii::Context();
+  } catch (const std::exception& error) {
+    throw DeviceError(fmt::format("the Vulkan loader cannot be used ({}); {}", error.what(),
+                                  "apt-get install libvulkan1 mesa-vulkan-drivers"));
+  }
+}
+
+bool hasLayer(const vk::raii::Context& context, std::string_view name) {
+  const auto layers = context.enumerateInstanceLayerProperties();
+  return std::any_of(layers.begin(), layers.end(),
+                     [&](const auto& layer) { return name == layer.layerName.data(); });
+}
+
+vk::raii::Instance createInstance(const vk::raii::Context& context, bool validation) {
+  const vk::ApplicationInfo application("morphgrid", 1, nullptr, 0, kApiVersion);
+  std::vector<const char*> layers;
+  std::vector<const char*> extensions;
+  const vk::ValidationFeatureEnableEXT synchronization =
+      vk::ValidationFeatureEnableEXT::eSynchronizationValidation;
+  const vk::ValidationFeaturesEXT features(synchronization);
+  if (validation) {
+    if (!hasLayer(context, kValidationLayer)) {
+      throw DeviceError(
+          "the Vulkan validation layers are not installed: apt-get install "
+          "vulkan-validationlayers");
+    }
+    layers.push_back(kValidationLayer);
+    extensions.push_back(VK_EXT_DEBUG_UTILS_EXTENSION_NAME);
+  }
+  try {
+    return {context, vk::InstanceCreateInfo({}, &application, layers, extensions,
+                                            validation ? &features : nullptr)};
+  } catch (const vk::SystemError& error) {
+    throw DeviceError(
+        fmt::format("Vulkan cannot be started ({}); {}", error.what(), kNoDeviceAdvice));
+  }
+}
+
+vk::raii::DebugUtilsMessengerEXT createMessenger(const vk::raii::Instance& instance,
+                                                 bool validation,
+                                                 std::vector<std::string>* messages) {
+  if (!validation) {
+    return nullptr;
+  }
+  using Severity = vk::DebugUtilsMessageSeverityFlagBitsEXT;
+  using Type = vk::DebugUtilsMessageTypeFlagBitsEXT;
+  return {instance,
+          vk::DebugUtilsMessengerCreateInfoEXT({}, Severity::eWarning | Severity::eError,
+                                               Type::eValidation | Type::ePerformance,
+                                               collectMessage, messages)};
+}
+
+std::vector<vk::raii::PhysicalDevice> physicalDevices(const vk::raii::Instance& instance) {
+  std::vector<vk::raii::PhysicalDevice> devices;
+  try {
+    devices = instance.enumeratePhysicalDevices();
+  } catch (const vk::SystemError& error) {
+    throw DeviceError(
+        fmt::format("Vulkan devices cannot be listed ({}); {}", error.what(), kNoDeviceAdvice));
+  }
+  if (devices.empty()) {
+    throw DeviceError(fmt::format("there is no Vulkan device; {}", kNoDeviceAdvice));
+  }
+  return devices;
+}
+
+std::string versionText(std::uint32_t version) {
+  return fmt::format("{}.{}.{}", VK_API_VERSION_MAJOR(version), VK_API_VERSION_MINOR(version),
+                     VK_API_VERSION_PATCH(version));
+}
+
+std::string typeText(vk::PhysicalDeviceType type) {
+  switch (type) {
+    case vk::PhysicalDeviceType::eDiscreteGpu:
+      return "discrete GPU";
+    case vk::PhysicalDeviceType::eIntegratedGpu:
+      return "integrated GPU";
+    case vk::PhysicalDeviceType::eVirtualGpu:
+      return "virtual GPU";
+    case vk::PhysicalDeviceType::eCpu:
+      return "CPU";
+    default:
+      return "other";
+  }
+}
+
+std::optional<std::uint32_t> generalQueueFamily(const vk::raii::PhysicalDevice& device) {
+  const auto families = device.getQueueFamilyProperties();
+  constexpr auto kWanted = vk::QueueFlagBits::eCompute | vk::QueueFlagBits::eGraphics;
+  for (std::uint32_t n = 0; n < families.size(); ++n) {
+    if ((families[n].queueFlags & kWanted) == kWanted) {
+      return n;
+    }
+  }
+  return std::nullopt;
+}
+
+/// Empty when the device can run morphgrid, else what it lacks.
+std::string shortcoming(const vk::raii::PhysicalDevice& device) {
+  const auto properties = device.getProperties();
+  if (properties.apiVersion < kApiVersion) {
+    return fmt::format("it offers Vulkan {}, morphgrid needs {} or later",
+                       versionText(properties.apiVersion), versionText(kApiVersion));
+  }
+  if (!generalQueueFamily(device)) {
+    return "it has no queue for both compute and graphics";
+  }
+  return {};
+}
+
+std::string toLower(std::string text) {
+  std::transform(text.begin(), text.end(), text.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return text;
+}
+
+bool isSelected(std::size_t index, const std::string& name, const std::string& selection) {
+  std::size_t wanted = 0;
+  const char* end = selection.data() + selection.size();
+  const auto [rest, error] = std::from_chars(selection.data(), end, wanted);
+  if (error == std::errc() && rest == end) {
+    return wanted == index;
+  }
+  return toLower(name).find(toLower(selection)) != std::string::npos;
+}
+
+vk::raii::PhysicalDevice selectDevice(const vk::raii::Instance& instance,
+                                      const std::string& selection) {
+  const auto devices = physicalDevices(instance);
+  std::vector<std::string> reasons;
+  for (std::size_t n = 0; n < devices.size(); ++n) {
+    const std::string name = devices[n].getProperties().deviceName.data();
+    if (!isSelected(n, name, selection)) {
+      reasons.push_back(fmt::format("{} {}: not asked for", n, name));
+      continue;
+    }
+    const std::string reason = shortcoming(devices[n]);
+    if (reason.empty()) {
+      return devices[n];
+    }
+    reasons.push_back(fmt::format("{} {}: {}", n, name, reason));
+  }
+  throw DeviceError(selection.empty()
+                        ? fmt::format("no Vulkan device will do ({}); {}",
+                                      fmt::join(reasons, "; "), kNoDeviceAdvice)
+                        : fmt::format("no Vulkan device matches --device {} ({}); give an index or "
+                                      "a part of a name from `morphgrid devices`",
+                                      selection, fmt::join(reasons, "; ")));
+}
+
+vk::raii::Device createDevice(const vk::raii::PhysicalDevice& physical, std::uint32_t queueFamily) {
+  const float priority = 1;
+  const vk::DeviceQueueCreateInfo queue({}, queueFamily, 1, &priority);
+  try {
+    return {physical, vk::DeviceCreateInfo({}, queue)};
+  } catch (const vk::SystemError& error) {
+    throw DeviceError(fmt::format("the Vulkan device {} cannot be opened: {}",
+                                  physical.getProperties().deviceName.data(), error.what()));
+  }
+}
+
+}  // namespace
+
+std::vector<DeviceSummary> listDevices() {
+  const vk::raii::Context context = loadVulkan();
+  const vk::raii::Instance instance = createInstance(context, false);
+  std::vector<DeviceSummary> summaries;
+  for (const auto& device : physicalDevices(instance)) {
+    const auto properties = device.getProperties();
+    summaries.push_back({properties.deviceName.data(), typeText(properties.deviceType),
+                         versionText(properties.apiVersion)});
+  }
+  return summaries;
+}
+
+Device::Device(const DeviceOptions& options)
+    : messages_(std::make_unique<std::vector<std::string>>()),
+      context_(loadVulkan()),
+      instance_(createInstance(context_, options.validation)),
+      messenger_(createMessenger(instance_, options.validation, messages_.get())),
+      physical_(selectDevice(instance_, options.selection)),
+      properties_(physical_.getProperties()),
+      queueFamily_(*generalQueueFamily(physical_)),
+      device_(createDevice(physical_, queueFamily_)),
+      queue_(device_, queueFamily_, 0) {}
+
+std::uint32_t Device::memoryType(std::uint32_t allowedBits, vk::MemoryPropertyFlags wanted) const {
+  const auto memory = physical_.getMemoryProperties();
+  for (std::uint32_t n = 0; n < memory.memoryTypeCount; ++n) {
+    const bool allowed = (allowedBits >> n) & 1U;
+    if (allowed && (memory.memoryTypes[n].propertyFlags & wanted) == wanted) {
+      return n;
+    }
+  }
+  throw DeviceError(fmt::format("device {} has no memory of type {}", name(), vk::to_string(wanted)));
+}
+
+}  // namespace morphgrid

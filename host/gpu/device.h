@@ -1,0 +1,60 @@
+#pragma once
+#include <memory>
+#include <string>
+#include <vector>
+#include <vulkan/vulkan_raii.hpp>
+
+namespace morphgrid {
+
+struct DeviceSummary {
+  std::string name;
+  std::string type;  ///< "discrete GPU", "CPU", ...
+  std::string apiVersion;
+};
+
+/// All Vulkan devices, in the order of the indices that DeviceOptions::selection takes.
+/// Throws DeviceError when there is no Vulkan at all.
+std::vector<DeviceSummary> listDevices();
+
+struct DeviceOptions {
+  /// An index, or a part of a device's name in any case; empty: the first device that will do.
+  std::string selection;
+  /// Core and synchronization validation; messages are collected in validationMessages().
+  bool validation = false;
+};
+
+/// A Vulkan device with one queue for compute, graphics and transfer.
+class Device {
+ public:
+  /// Throws DeviceError that says what is missing and what to do.
+  explicit Device(const DeviceOptions& options = {});
+
+  const vk::raii::Device& handle() const { return device_; }
+  const vk::raii::PhysicalDevice& physical() const { return physical_; }
+  const vk::raii::Instance& instance() const { return instance_; }
+  const vk::raii::Queue& queue() const { return queue_; }
+  std::uint32_t queueFamily() const { return queueFamily_; }
+  const vk::PhysicalDeviceLimits& limits() const { return properties_.limits; }
+  std::string name() const { return properties_.deviceName.data(); }
+  double nanosecondsPerTick() const { return properties_.limits.timestampPeriod; }
+
+  /// The index of a memory type with these properties; throws DeviceError when there is none.
+  std::uint32_t memoryType(std::uint32_t allowedBits, vk::MemoryPropertyFlags wanted) const;
+
+  /// What the validation layers said so far; empty when all is well.
+  const std::vector<std::string>& validationMessages() const { return *messages_; }
+
+ private:
+  // Behind a pointer: the layers' callback keeps its address when the Device moves.
+  std::unique_ptr<std::vector<std::string>> messages_;
+  vk::raii::Context context_;
+  vk::raii::Instance instance_;
+  vk::raii::DebugUtilsMessengerEXT messenger_;
+  vk::raii::PhysicalDevice physical_;
+  vk::PhysicalDeviceProperties properties_;
+  std::uint32_t queueFamily_;
+  vk::raii::Device device_;
+  vk::raii::Queue queue_;
+};
+
+}  // namespace morphgrid
