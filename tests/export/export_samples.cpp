@@ -1,0 +1,91 @@
+#include "tests/export/export_samples.h"
+
+#include <fmt/format.h>
+#include <stdlib.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
+#include <random>
+#include <stdexcept>
+
+namespace morphgrid {
+
+TemporaryFolder::TemporaryFolder() {
+  std::string name = std::filesystem::temp_directory_path() / "morphgrid_export_XXXXXX";
+  if (mkdtemp(name.data()) == nullptr) {
+    throw std::runtime_error("no temporary folder: " + name);
+  }
+  path_ = name;
+}
+
+TemporaryFolder::~TemporaryFolder() { std::filesystem::remove_all(path_); }
+
+int TemporaryFolder::fileCount() const {
+  return static_cast<int>(std::distance(std::filesystem::directory_iterator(path_), {}));
+}
+
+OrdinaryUser::OrdinaryUser() : before_(geteuid()) {
+  const uid_t nobody = 65534;
+  if (before_ == 0 && seteuid(nobody) != 0) {
+    throw std::runtime_error("root cannot become an ordinary user");
+  }
+}
+
+OrdinaryUser::~OrdinaryUser() {
+  if (before_ == 0 && seteuid(before_) != 0) {
+    std::abort();  // The tests after this one would fail for no reason of theirs.
+  }
+}
+
+FullDisk::FullDisk(rlim_t bytes) {
+  handlerBefore_ = std::signal(SIGXFSZ, SIG_IGN);
+  getrlimit(RLIMIT_FSIZE, &before_);
+  const rlimit limit{bytes, before_.rlim_max};
+  setrlimit(RLIMIT_FSIZE, &limit);
+}
+
+FullDisk::~FullDisk() {
+  setrlimit(RLIMIT_FSIZE, &before_);
+  std::signal(SIGXFSZ, handlerBefore_);
+}
+
+std::string readFile(const std::filesystem::path& path) {
+  std::ifstream stream(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+void writeFile(const std::filesystem::path& path, const std::string& content) {
+  std::ofstream(path, std::ios::binary) << content;
+}
+
+ExportSample exportSample(const GridShape& shape) {
+  std::mt19937_64 random(7);
+  std::uniform_real_distribution<double> jitter(-0.2, 0.2);
+  ExportSample sample{
+      .grid = {.shape = shape, .spacing = 1, .rest = StrutValues(shape), .angleWeight = 1}};
+  sample.positions.resize(3, shape.vertexCount());
+  for (int vertex = 0; vertex < shape.vertexCount(); ++vertex) {
+    const int onLayer = vertex % shape.layerVertexCount();
+    sample.positions.col(vertex) << 1e3 + onLayer % shape.verticesU + jitter(random),
+        1e-3 * (onLayer / shape.verticesU + jitter(random)),
+        vertex / shape.layerVertexCount() + jitter(random);
+  }
+  sample.grid.positions = sample.positions;
+  for (const Strut& strut : listStruts(shape)) {
+    const double length =
+        (sample.positions.col(strut.to) - sample.positions.col(strut.from)).norm();
+    valueAt(sample.grid.rest, strut) = length * (1 + 1.5 * jitter(random));
+  }
+  sample.surface =
+      tessellate(shape.verticesU, shape.verticesV, middleLayer(shape, sample.positions), 2);
+  return sample;
+}
+
+std::string shapeName(const testing::TestParamInfo<GridShape>& test) {
+  return fmt::format("{}x{}x{}", test.param.verticesU, test.param.verticesV, test.param.layers);
+}
+
+}  // namespace morphgrid

@@ -1,0 +1,71 @@
+#pragma once
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <sys/types.h>
+
+#include <filesystem>
+#include <string>
+
+#include "grid/strut_grid.h"
+#include "grid/surface_mesh.h"
+
+namespace morphgrid {
+
+/// An empty folder under the system's temporary one, removed at the end.
+class TemporaryFolder {
+ public:
+  TemporaryFolder();
+  ~TemporaryFolder();
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+
+  std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
+  int fileCount() const;
+
+ private:
+  std::filesystem::path path_;
+};
+
+/// While it lives, root is somebody whom permissions stop.
+class OrdinaryUser {
+ public:
+  OrdinaryUser();
+  ~OrdinaryUser();
+  OrdinaryUser(const OrdinaryUser&) = delete;
+  OrdinaryUser& operator=(const OrdinaryUser&) = delete;
+
+ private:
+  uid_t before_;
+};
+
+/// While it lives, no file can grow beyond `bytes`.
+class FullDisk {
+ public:
+  explicit FullDisk(rlim_t bytes);
+  ~FullDisk();
+  FullDisk(const FullDisk&) = delete;
+  FullDisk& operator=(const FullDisk&) = delete;
+
+ private:
+  rlimit before_;
+  void (*handlerBefore_)(int);
+};
+
+std::string readFile(const std::filesystem::path& path);
+void writeFile(const std::filesystem::path& path, const std::string& content);
+
+/// A grid, where it ended, and its surface: no two numbers alike, most with all their digits.
+struct ExportSample {
+  StrutGrid grid;
+  Eigen::Matrix3Xd positions;
+  SurfaceMesh surface;
+};
+ExportSample exportSample(const GridShape& shape);
+
+/// The smallest grid, and others whose sides differ.
+inline const GridShape kSampleShapes[] = {{2, 2, 1}, {5, 3, 2}, {2, 7, 3}};
+
+/// A test's name for its shape, e.g. "5x3x2".
+std::string shapeName(const testing::TestParamInfo<GridShape>& test);
+
+}  // namespace morphgrid
