@@ -1,0 +1,94 @@
+#include "export/vtu.h"
+
+#include <gtest/gtest.h>
+#include <vtkCellData.h>
+#include <vtkCellType.h>
+#include <vtkDataArray.h>
+#include <vtkIdList.h>
+#include <vtkNew.h>
+#include <vtkPoints.h>
+#include <vtkUnstructuredGrid.h>
+#include <vtkXMLUnstructuredGridReader.h>
+
+#include "grid/strain.h"
+#include "tests/export/export_samples.h"
+
+namespace morphgrid {
+namespace {
+
+class Vtu : public testing::TestWithParam<GridShape> {
+ protected:
+  Vtu() : sample(exportSample(GetParam())), struts(listStruts(GetParam())) {
+    const TemporaryFolder folder;
+    exportVtu(folder / "morph.vtu", sample.grid, sample.positions);
+    EXPECT_EQ(folder.fileCount(), 1);
+    reader->SetFileName((folder / "morph.vtu").c_str());
+    reader->Update();
+    EXPECT_EQ(reader->GetErrorCode(), 0);
+  }
+
+  vtkUnstructuredGrid& read() { return *reader->GetOutput(); }
+
+  /// A cell array of one value per strut.
+  vtkDataArray& cellArray(const char* name, int dataType) {
+    vtkDataArray* array = read().GetCellData()->GetArray(name);
+    EXPECT_NE(array, nullptr) << name;
+    EXPECT_EQ(array->GetDataType(), dataType);
+    EXPECT_EQ(array->GetNumberOfComponents(), 1);
+    EXPECT_EQ(array->GetNumberOfTuples(), struts.size());
+    return *array;
+  }
+
+  ExportSample sample;
+  std::vector<Strut> struts;
+  vtkNew<vtkXMLUnstructuredGridReader> reader;
+};
+INSTANTIATE_TEST_SUITE_P(Shapes, Vtu, testing::ValuesIn(kSampleShapes), shapeName);
+
+TEST_P(Vtu, KeepsEveryPoint) {
+  ASSERT_EQ(read().GetNumberOfPoints(), sample.positions.cols());
+  EXPECT_EQ(read().GetPoints()->GetDataType(), VTK_DOUBLE);
+  for (vtkIdType i = 0; i < sample.positions.cols(); ++i) {
+    EXPECT_EQ(Eigen::Vector3d(read().GetPoint(i)), sample.positions.col(i));
+  }
+}
+
+TEST_P(Vtu, StrutsAreLinesBetweenTheirEnds) {
+  ASSERT_EQ(read().GetNumberOfCells(), struts.size());
+  vtkNew<vtkIdList> ends;
+  for (std::size_t i = 0; i < struts.size(); ++i) {
+    EXPECT_EQ(read().GetCellType(i), VTK_LINE);
+    read().GetCellPoints(i, ends);
+    ASSERT_EQ(ends->GetNumberOfIds(), 2);
+    EXPECT_EQ(ends->GetId(0), struts[i].from);
+    EXPECT_EQ(ends->GetId(1), struts[i].to);
+  }
+}
+
+TEST_P(Vtu, KeepsEveryValueOfTheStruts) {
+  vtkDataArray& strain = cellArray("strain", VTK_DOUBLE);
+  vtkDataArray& restLength = cellArray("rest_length", VTK_DOUBLE);
+  vtkDataArray& layer = cellArray("layer", VTK_INT);
+  vtkDataArray& direction = cellArray("direction", VTK_INT);
+  const std::vector<double> strutStrains = strains(sample.grid, sample.positions);
+  for (std::size_t i = 0; i < struts.size(); ++i) {
+    EXPECT_EQ(strain.GetComponent(i, 0), strutStrains[i]);
+    EXPECT_EQ(restLength.GetComponent(i, 0), valueAt(sample.grid.rest, struts[i]));
+    EXPECT_EQ(layer.GetComponent(i, 0), struts[i].layer);
+    EXPECT_EQ(direction.GetComponent(i, 0), static_cast<int>(struts[i].direction));
+  }
+}
+
+TEST_P(Vtu, DirectionsAreCodedAsPromised) {
+  const auto codeOf = [&](const Strut& strut) {
+    const int step = strut.to - strut.from;
+    return step == 1 ? 0 : step == GetParam().verticesU ? 1 : 2;
+  };
+  vtkDataArray& direction = cellArray("direction", VTK_INT);
+  for (std::size_t i = 0; i < struts.size(); ++i) {
+    EXPECT_EQ(direction.GetComponent(i, 0), codeOf(struts[i]));
+  }
+}
+
+}  // namespace
+}  // namespace morphgrid
