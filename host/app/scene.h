@@ -51,8 +51,8 @@ struct Scene {
   std::optional<PublishedFigures> published;
 };
 
-/// Reads a TOML scene; overrides are `key=value` with dotted keys, e.g. "grid.layers=4", applied before
-/// the checks. Throws InputError with every problem of the file, one a line, each as
+/// Reads a TOML scene; overrides are `key=value` with dotted keys, e.g. "grid.layers=4", applied
+/// before the checks. Throws InputError with every problem of the file, one a line, each as
 /// `file:line:column: what is wrong, what is allowed, what was found`.
 Scene loadScene(const std::filesystem::path& file, const std::vector<std::string>& overrides = {});
 

@@ -10,9 +10,9 @@
 namespace morphgrid {
 
 PendingFile::PendingFile(std::filesystem::path finalPath) : finalPath_(std::move(finalPath)) {
-  temporaryPath_ = finalPath_.parent_path() /
-                   fmt::format(".{}.{}{}", finalPath_.stem().string(), getpid(),
-                               finalPath_.extension().string());
+  temporaryPath_ =
+      finalPath_.parent_path() / fmt::format(".{}.{}{}", finalPath_.stem().string(), getpid(),
+                                             finalPath_.extension().string());
 }
 
 PendingFile::~PendingFile() {
@@ -38,8 +38,8 @@ void writeFileAtomically(const std::filesystem::path& path, std::string_view byt
   stream.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
   stream.close();
   if (!stream) {
-    throw InputError(fmt::format("{}: cannot be written: is the folder there, writable and not full?",
-                                 path.string()));
+    throw InputError(fmt::format(
+        "{}: cannot be written: is the folder there, writable and not full?", path.string()));
   }
   pending.commit();
 }

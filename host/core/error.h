@@ -4,7 +4,8 @@
 
 namespace morphgrid {
 
-/// Bad input: what() holds one problem a line, each beginning with its place (`file:line:column: `).
+/// Bad input: what() holds one problem a line, each beginning with its place (`file:line:column:
+/// `).
 class InputError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;

@@ -21,10 +21,11 @@ int shorterNodes(int nodesLong, double aspect) {
 int fewestNodes(double longestIsoline, double curvatureLimit) {
   const double fewest = std::ceil(longestIsoline * curvatureLimit / 2);
   if (fewest > 1e6) {
-    throw InputError(fmt::format(
-        "curvature {:.4g} asks for at least {:.4g} nodes along an isoline of length {:.4g} (Eq. 23); "
-        "lower the curvature cutoff or smooth the surface",
-        curvatureLimit, fewest, longestIsoline));
+    throw InputError(
+        fmt::format("curvature {:.4g} asks for at least {:.4g} nodes along an isoline of length "
+                    "{:.4g} (Eq. 23); "
+                    "lower the curvature cutoff or smooth the surface",
+                    curvatureLimit, fewest, longestIsoline));
   }
   return std::max(1, static_cast<int>(fewest));
 }
@@ -33,10 +34,11 @@ int fewestNodes(double longestIsoline, double curvatureLimit) {
 void requireLengths(const LateralField<double>& lengths, double longest) {
   const auto require = [&](double length, const char* direction, int i, int j) {
     if (!(length > 1e-9 * longest)) {
-      throw InputError(fmt::format(
-          "the {} strut at node ({}, {}) has no length ({:.3g}): the surface is collapsed there; move "
-          "the control points that coincide apart",
-          direction, i, j, length));
+      throw InputError(
+          fmt::format("the {} strut at node ({}, {}) has no length ({:.3g}): the surface is "
+                      "collapsed there; move "
+                      "the control points that coincide apart",
+                      direction, i, j, length));
     }
   };
   for (int j = 0; j <= lengths.nodesV(); ++j) {
@@ -83,11 +85,12 @@ GridSize chooseGridSize(const SurfaceSurvey& survey, const DesignRequest& reques
   }
   size.layerSpacing = std::min(request.layerSpacing, size.layerSpacingLimit);
   if (size.layerSpacing < request.layerSpacing) {
-    size.notices.push_back(fmt::format(
-        "layer spacing {:g} is clamped to {:.4g}: curvature {:.4g} with {} layers would need more than "
-        "{:g} % shrinkage (Eq. 21)",
-        request.layerSpacing, size.layerSpacing, size.curvatureLimit, request.layers,
-        100 * request.maxShrinkage));
+    size.notices.push_back(
+        fmt::format("layer spacing {:g} is clamped to {:.4g}: curvature {:.4g} with {} layers "
+                    "would need more than "
+                    "{:g} % shrinkage (Eq. 21)",
+                    request.layerSpacing, size.layerSpacing, size.curvatureLimit, request.layers,
+                    100 * request.maxShrinkage));
   }
 
   const bool uIsLonger = survey.longestIsolineU >= survey.longestIsolineV;
@@ -100,7 +103,8 @@ GridSize chooseGridSize(const SurfaceSurvey& survey, const DesignRequest& reques
   size.nodesV = uIsLonger ? nodesShort : nodesLong;
   if (nodesLong > request.nodesLong) {
     size.notices.push_back(fmt::format(
-        "{} nodes on the long edge are raised to {} ({} x {}): a strut may span at most a half circle "
+        "{} nodes on the long edge are raised to {} ({} x {}): a strut may span at most a half "
+        "circle "
         "of radius {:.4g} (Eq. 23)",
         request.nodesLong, nodesLong, size.nodesU, size.nodesV, 1 / size.curvatureLimit));
   }
@@ -167,10 +171,11 @@ GridDesign designFromBendAngles(const BendAngleRequest& request) {
   }
   const double shrink = largestBendShrink(design);
   if (shrink >= 1) {
-    throw InputError(fmt::format(
-        "bend angle, layer spacing {:g} and {} layers leave a strut of length {:g} nothing (shrinkage "
-        "{:.4g} %, must be below 100 %); lower one of them",
-        request.layerSpacing, request.layers, request.spacing, 100 * shrink));
+    throw InputError(
+        fmt::format("bend angle, layer spacing {:g} and {} layers leave a strut of length {:g} "
+                    "nothing (shrinkage "
+                    "{:.4g} %, must be below 100 %); lower one of them",
+                    request.layerSpacing, request.layers, request.spacing, 100 * shrink));
   }
   return design;
 }

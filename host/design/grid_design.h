@@ -8,10 +8,10 @@ namespace morphgrid {
 
 /// What the user asks of a grid (paper, section 3.1).
 struct DesignRequest {
-  int layers = 3;               ///< >= 1
-  double layerSpacing = 0;      ///< tau, in the scene's unit of length, > 0
-  int nodesLong = 20;           ///< Nodes along the longer direction, >= 1
-  double maxShrinkage = 0.4;    ///< Share of its printed length that a strut can lose, in (0, 1)
+  int layers = 3;                ///< >= 1
+  double layerSpacing = 0;       ///< tau, in the scene's unit of length, > 0
+  int nodesLong = 20;            ///< Nodes along the longer direction, >= 1
+  double maxShrinkage = 0.4;     ///< Share of its printed length that a strut can lose, in (0, 1)
   double curvatureCutoff = 1.0;  ///< p, in (0, 1]: share of the |kappa| samples left uncapped
 };
 
@@ -33,10 +33,10 @@ struct GridDesign {
   int nodesU;
   int nodesV;
   int layers;
-  double layerSpacing;               ///< tau
-  double spacing;                    ///< Cell of the flat sheet before the in-plane stage.
-  LateralField<double> lengths;      ///< L0, carried by the layer on the convex side.
-  LateralField<double> bendAngles;   ///< Signed theta, rad, in [-pi, pi]; > 0 curves towards +w.
+  double layerSpacing;              ///< tau
+  double spacing;                   ///< Cell of the flat sheet before the in-plane stage.
+  LateralField<double> lengths;     ///< L0, carried by the layer on the convex side.
+  LateralField<double> bendAngles;  ///< Signed theta, rad, in [-pi, pi]; > 0 curves towards +w.
   std::vector<std::string> notices;
 };
 
@@ -60,7 +60,8 @@ GridDesign designFromBendAngles(const BendAngleRequest& request);
 /// the bottom where theta > 0, the top where theta < 0.
 double restLength(double length, double bendAngle, double layerSpacing, int layer, int layers);
 
-/// The largest L_b shrink that the design asks for, 1 - L_b / L0 over all lateral struts, in [0, 1).
+/// The largest L_b shrink that the design asks for, 1 - L_b / L0 over all lateral struts, in [0,
+/// 1).
 double largestBendShrink(const GridDesign& design);
 
 }  // namespace morphgrid

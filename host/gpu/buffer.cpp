@@ -29,7 +29,7 @@ Buffer::Buffer(const Device& device, vk::DeviceSize bytes, vk::BufferUsageFlags 
     const auto needs = buffer_.getMemoryRequirements();
     memory_ = vk::raii::DeviceMemory(
         device.handle(), vk::MemoryAllocateInfo(needs.size, device.memoryType(needs.memoryTypeBits,
-                                                                             propertiesOf(kind))));
+                                                                              propertiesOf(kind))));
     buffer_.bindMemory(*memory_, 0);
     if (kind == MemoryKind::host) {
       mapped_ = memory_.mapMemory(0, VK_WHOLE_SIZE);
@@ -44,9 +44,10 @@ TexelView::TexelView(const Device& device, const Buffer& buffer, vk::Format form
                      std::uint32_t bytesPerTexel) {
   const vk::DeviceSize texels = buffer.bytes() / bytesPerTexel;
   if (texels > device.limits().maxTexelBufferElements) {
-    throw DeviceError(fmt::format("device {} reads at most {} texels of a buffer, {} are needed; use a "
-                                  "smaller grid",
-                                  device.name(), device.limits().maxTexelBufferElements, texels));
+    throw DeviceError(
+        fmt::format("device {} reads at most {} texels of a buffer, {} are needed; use a "
+                    "smaller grid",
+                    device.name(), device.limits().maxTexelBufferElements, texels));
   }
   view_ = vk::raii::BufferView(
       device.handle(), vk::BufferViewCreateInfo({}, buffer.handle(), format, 0, VK_WHOLE_SIZE));

@@ -10,9 +10,8 @@ namespace morphgrid {
 
 CommandStream::CommandStream(const Device& device) : device_(device) {
   pool_ = vk::raii::CommandPool(
-      device.handle(),
-      vk::CommandPoolCreateInfo(vk::CommandPoolCreateFlagBits::eResetCommandBuffer,
-                                device.queueFamily()));
+      device.handle(), vk::CommandPoolCreateInfo(vk::CommandPoolCreateFlagBits::eResetCommandBuffer,
+                                                 device.queueFamily()));
   commands_ = std::move(
       vk::raii::CommandBuffers(device.handle(), vk::CommandBufferAllocateInfo(
                                                     *pool_, vk::CommandBufferLevel::ePrimary, 1))

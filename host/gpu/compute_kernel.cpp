@@ -26,8 +26,7 @@ vk::raii::Pipeline createPipeline(const Device& device, std::span<const std::uin
     entries.emplace_back(n, static_cast<std::uint32_t>(n * sizeof(std::uint32_t)),
                          sizeof(std::uint32_t));
   }
-  const vk::SpecializationInfo constants(static_cast<std::uint32_t>(entries.size()),
-                                         entries.data(),
+  const vk::SpecializationInfo constants(static_cast<std::uint32_t>(entries.size()), entries.data(),
                                          specialization.size() * sizeof(std::uint32_t),
                                          specialization.data());
   const vk::PipelineShaderStageCreateInfo stage({}, vk::ShaderStageFlagBits::eCompute, *module,
@@ -41,9 +40,8 @@ vk::raii::DescriptorPool createPool(const Device& device,
   for (const KernelResource& resource : resources) {
     sizes.emplace_back(resource.type(), 1);
   }
-  return {device.handle(),
-          vk::DescriptorPoolCreateInfo(vk::DescriptorPoolCreateFlagBits::eFreeDescriptorSet, 1,
-                                       sizes)};
+  return {device.handle(), vk::DescriptorPoolCreateInfo(
+                               vk::DescriptorPoolCreateFlagBits::eFreeDescriptorSet, 1, sizes)};
 }
 
 void writeDescriptor(const Device& device, vk::DescriptorSet set, const KernelResource& resource) {
@@ -62,9 +60,8 @@ void writeDescriptor(const Device& device, vk::DescriptorSet set, const KernelRe
 }  // namespace
 
 vk::DescriptorType KernelResource::type() const {
-  return std::holds_alternative<const Buffer*>(resource)
-             ? vk::DescriptorType::eStorageBuffer
-             : vk::DescriptorType::eUniformTexelBuffer;
+  return std::holds_alternative<const Buffer*>(resource) ? vk::DescriptorType::eStorageBuffer
+                                                         : vk::DescriptorType::eUniformTexelBuffer;
 }
 
 ComputeKernel::ComputeKernel(const Device& device, std::span<const std::uint32_t> spirv,
@@ -79,12 +76,12 @@ ComputeKernel::ComputeKernel(const Device& device, std::span<const std::uint32_t
         vk::PipelineLayoutCreateInfo({}, 1, &*setLayout_, pushConstantBytes > 0 ? 1 : 0, &push));
     pipeline_ = createPipeline(device, spirv, *layout_, specialization);
     pool_ = createPool(device, resources);
-    set_ = std::move(
-        vk::raii::DescriptorSets(device.handle(), vk::DescriptorSetAllocateInfo(*pool_, *setLayout_))
-            .front());
+    set_ = std::move(vk::raii::DescriptorSets(device.handle(),
+                                              vk::DescriptorSetAllocateInfo(*pool_, *setLayout_))
+                         .front());
   } catch (const vk::SystemError& error) {
-    throw DeviceError(fmt::format("device {} cannot build a compute kernel: {}", device.name(),
-                                  error.what()));
+    throw DeviceError(
+        fmt::format("device {} cannot build a compute kernel: {}", device.name(), error.what()));
   }
   for (const KernelResource& resource : resources) {
     writeDescriptor(device, *set_, resource);

@@ -19,7 +19,8 @@ struct KernelResource {
 /// The resources must outlive it.
 class ComputeKernel {
  public:
-  /// specialization: the values of constant_id 0, 1, ... Throws DeviceError when the device refuses.
+  /// specialization: the values of constant_id 0, 1, ... Throws DeviceError when the device
+  /// refuses.
   ComputeKernel(const Device& device, std::span<const std::uint32_t> spirv,
                 const std::vector<KernelResource>& resources, std::uint32_t pushConstantBytes,
                 const std::vector<std::uint32_t>& specialization = {});

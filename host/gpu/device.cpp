@@ -73,10 +73,9 @@ vk::raii::DebugUtilsMessengerEXT createMessenger(const vk::raii::Instance& insta
   }
   using Severity = vk::DebugUtilsMessageSeverityFlagBitsEXT;
   using Type = vk::DebugUtilsMessageTypeFlagBitsEXT;
-  return {instance,
-          vk::DebugUtilsMessengerCreateInfoEXT({}, Severity::eWarning | Severity::eError,
-                                               Type::eValidation | Type::ePerformance,
-                                               collectMessage, messages)};
+  return {instance, vk::DebugUtilsMessengerCreateInfoEXT({}, Severity::eWarning | Severity::eError,
+                                                         Type::eValidation | Type::ePerformance,
+                                                         collectMessage, messages)};
 }
 
 std::vector<vk::raii::PhysicalDevice> physicalDevices(const vk::raii::Instance& instance) {
@@ -170,18 +169,21 @@ vk::raii::PhysicalDevice selectDevice(const vk::raii::Instance& instance,
     reasons.push_back(fmt::format("{} {}: {}", n, name, reason));
   }
   throw DeviceError(selection.empty()
-                        ? fmt::format("no Vulkan device will do ({}); {}",
-                                      fmt::join(reasons, "; "), kNoDeviceAdvice)
+                        ? fmt::format("no Vulkan device will do ({}); {}", fmt::join(reasons, "; "),
+                                      kNoDeviceAdvice)
                         : fmt::format("no Vulkan device matches --device {} ({}); give an index or "
                                       "a part of a name from `morphgrid devices`",
                                       selection, fmt::join(reasons, "; ")));
 }
 
-vk::raii::Device createDevice(const vk::raii::PhysicalDevice& physical, std::uint32_t queueFamily) {
+vk::raii::Device createDevice(const vk::raii::PhysicalDevice& physical, std::uint32_t queueFamily,
+                              bool float64) {
+  vk::PhysicalDeviceFeatures features;
+  features.shaderFloat64 = float64;
   const float priority = 1;
   const vk::DeviceQueueCreateInfo queue({}, queueFamily, 1, &priority);
   try {
-    return {physical, vk::DeviceCreateInfo({}, queue)};
+    return {physical, vk::DeviceCreateInfo({}, queue, {}, {}, &features)};
   } catch (const vk::SystemError& error) {
     throw DeviceError(fmt::format("the Vulkan device {} cannot be opened: {}",
                                   physical.getProperties().deviceName.data(), error.what()));
@@ -210,7 +212,8 @@ Device::Device(const DeviceOptions& options)
       physical_(selectDevice(instance_, options.selection)),
       properties_(physical_.getProperties()),
       queueFamily_(*generalQueueFamily(physical_)),
-      device_(createDevice(physical_, queueFamily_)),
+      hasFloat64_(physical_.getFeatures().shaderFloat64 != VK_FALSE),
+      device_(createDevice(physical_, queueFamily_, hasFloat64_)),
       queue_(device_, queueFamily_, 0) {}
 
 std::uint32_t Device::memoryType(std::uint32_t allowedBits, vk::MemoryPropertyFlags wanted) const {
@@ -221,7 +224,8 @@ std::uint32_t Device::memoryType(std::uint32_t allowedBits, vk::MemoryPropertyFl
       return n;
     }
   }
-  throw DeviceError(fmt::format("device {} has no memory of type {}", name(), vk::to_string(wanted)));
+  throw DeviceError(
+      fmt::format("device {} has no memory of type {}", name(), vk::to_string(wanted)));
 }
 
 }  // namespace morphgrid

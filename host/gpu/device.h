@@ -36,6 +36,8 @@ class Device {
   std::uint32_t queueFamily() const { return queueFamily_; }
   const vk::PhysicalDeviceLimits& limits() const { return properties_.limits; }
   std::string name() const { return properties_.deviceName.data(); }
+  /// Whether shaders can compute in double precision.
+  bool hasFloat64() const { return hasFloat64_; }
   double nanosecondsPerTick() const { return properties_.limits.timestampPeriod; }
 
   /// The index of a memory type with these properties; throws DeviceError when there is none.
@@ -53,6 +55,7 @@ class Device {
   vk::raii::PhysicalDevice physical_;
   vk::PhysicalDeviceProperties properties_;
   std::uint32_t queueFamily_;
+  bool hasFloat64_;
   vk::raii::Device device_;
   vk::raii::Queue queue_;
 };

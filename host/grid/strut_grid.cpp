@@ -67,16 +67,17 @@ double& valueAt(StrutValues& values, const Strut& strut) {
 void validate(const StrutGrid& grid) {
   const GridShape& shape = grid.shape;
   if (shape.verticesU < 2 || shape.verticesV < 2 || shape.layers < 1) {
-    throw InputError(fmt::format("a grid needs at least 2 x 2 vertices and 1 layer, got {} x {} x {}",
-                                 shape.verticesU, shape.verticesV, shape.layers));
+    throw InputError(
+        fmt::format("a grid needs at least 2 x 2 vertices and 1 layer, got {} x {} x {}",
+                    shape.verticesU, shape.verticesV, shape.layers));
   }
   const auto count = static_cast<std::size_t>(shape.vertexCount());
   if (static_cast<std::size_t>(grid.positions.cols()) != count || !hasSize(grid.rest, count) ||
       !hasSize(grid.stiffness, count)) {
-    throw InputError(fmt::format("a grid of {} vertices needs as many positions, rest lengths and "
-                                 "stiffnesses, got {}, {} and {}",
-                                 count, grid.positions.cols(), grid.rest.u.size(),
-                                 grid.stiffness.u.size()));
+    throw InputError(
+        fmt::format("a grid of {} vertices needs as many positions, rest lengths and "
+                    "stiffnesses, got {}, {} and {}",
+                    count, grid.positions.cols(), grid.rest.u.size(), grid.stiffness.u.size()));
   }
   if (!(std::isfinite(grid.spacing) && grid.spacing > 0)) {
     throw InputError(fmt::format("the spacing must be a finite number > 0, got {}", grid.spacing));
@@ -100,8 +101,8 @@ Eigen::Matrix3Xd middleLayer(const GridShape& shape, const Eigen::Matrix3Xd& pos
   const int count = shape.layerVertexCount();
   const int below = (shape.layers - 1) / 2;
   const int above = shape.layers / 2;
-  return 0.5 * (positions.middleCols(below * count, count) +
-                positions.middleCols(above * count, count));
+  return 0.5 *
+         (positions.middleCols(below * count, count) + positions.middleCols(above * count, count));
 }
 
 }  // namespace morphgrid

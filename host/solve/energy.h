@@ -17,8 +17,8 @@ struct Corner {
 std::vector<Corner> listCorners(const GridShape& shape);
 
 /// The energy of a grid in double precision: struts `w c (|e| - L)^2`, corners
-/// `w (|a-p|^2 + |b-q|^2) = 2 w s^2 / (T + D)` with s = a.b, T = |a|^2 + |b|^2, D = sqrt(T^2 - 4 s^2).
-/// It is the oracle for the device, and gives the figures of the report.
+/// `w (|a-p|^2 + |b-q|^2) = 2 w s^2 / (T + D)` with s = a.b, T = |a|^2 + |b|^2, D = sqrt(T^2 - 4
+/// s^2). It is the oracle for the device, and gives the figures of the report.
 class StrutEnergy {
  public:
   struct Value {
@@ -37,8 +37,8 @@ class StrutEnergy {
   /// constraints pull (strut w c; corner w at an arm, 2 w at the apex), > 0.
   const Eigen::VectorXd& constraintWeights() const { return constraintWeights_; }
 
-  /// |gradient| / (mean stiffness x spacing x sqrt(vertexCount)); the mean stiffness is twice the mean
-  /// of constraintWeights(). Independent of the units of length and weight, and of the size.
+  /// |gradient| / (mean stiffness x spacing x sqrt(vertexCount)); the mean stiffness is twice the
+  /// mean of constraintWeights(). Independent of the units of length and weight, and of the size.
   double residual(const Eigen::Matrix3Xd& gradient) const;
 
   const std::vector<Strut>& struts() const { return struts_; }

@@ -24,7 +24,7 @@ struct ConvergenceSample {
 };
 
 struct SolveOptions {
-  double tolerance = 1e-8;      ///< Bound on the residual, see computeResidual(), > 0
+  double tolerance = 1e-9;       ///< Bound on the residual, see computeResidual(), > 0
   long iterationLimit = 200000;  ///< >= 0
   /// Called now and then with the newest sample; may be empty.
   std::function<void(const ConvergenceSample&)> onProgress;

@@ -18,10 +18,10 @@ using Clock = std::chrono::steady_clock;
 constexpr std::size_t kPairs = 8;
 constexpr int kLineSearchSteps = 30;
 constexpr double kSufficientDecrease = 1e-4;
-// Near the minimum the energy's rounding hides its decrease; there the slope decides (approximate Wolfe
-// condition, Hager & Zhang 2005).
+// Near the minimum the energy's rounding hides its decrease; there the slope decides (approximate
+// Wolfe condition, Hager & Zhang 2005).
 constexpr double kEnergyRounding = 1e-13;
-constexpr long kPatience = 300;  // Iterations without a new best residual that end the run.
+constexpr long kPatience = 300;     // Iterations without a new best residual that end the run.
 constexpr double kLargestMove = 2;  // Spacings that a vertex may move in one step.
 constexpr long kSampleEvery = 10;
 
@@ -152,8 +152,7 @@ Equilibrium solveReference(const StrutGrid& grid, const SolveOptions& options) {
     result.converged = result.residual <= options.tolerance;
     const bool last = result.converged || result.iterations >= options.iterationLimit;
     if (last || result.iterations % kSampleEvery == 0) {
-      result.history.push_back(
-          {result.iterations, result.energy, result.residual, result.seconds});
+      result.history.push_back({result.iterations, result.energy, result.residual, result.seconds});
       if (options.onProgress) {
         options.onProgress(result.history.back());
       }

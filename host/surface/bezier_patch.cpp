@@ -43,8 +43,8 @@ Vector3d combine(const BezierPatch::ControlPoints& points, const Vector4d& along
 /// Lengths and areas below this share of the patch's size count as vanished.
 constexpr double kDegenerate = 1e-9;
 
-/// Where a tangent vanishes (collapsed edge, coincident control points) the frame is taken this share
-/// of the way to the centre.
+/// Where a tangent vanishes (collapsed edge, coincident control points) the frame is taken this
+/// share of the way to the centre.
 constexpr double kInward = 1e-3;
 
 double inward(double t) { return t + kInward * (0.5 - t); }
@@ -68,8 +68,9 @@ BezierPatch::BezierPatch(const ControlPoints& controlPoints) : controlPoints_(co
     for (int i = 0; i < 4; ++i) {
       const Vector3d& p = controlPoints[j][i];
       if (!p.allFinite()) {
-        throw InputError(fmt::format("control point (row {}, column {}) must be finite, got [{}, {}, {}]",
-                                     j, i, p.x(), p.y(), p.z()));
+        throw InputError(
+            fmt::format("control point (row {}, column {}) must be finite, got [{}, {}, {}]", j, i,
+                        p.x(), p.y(), p.z()));
       }
       low = low.cwiseMin(p);
       high = high.cwiseMax(p);
@@ -90,7 +91,8 @@ BezierPatch::BezierPatch(const ControlPoints& controlPoints) : controlPoints_(co
   }
   if (!(largestArea > kDegenerate * size_ * size_)) {
     throw InputError(
-        "the patch has no area: its control points coincide or lie on a line; a surface needs points "
+        "the patch has no area: its control points coincide or lie on a line; a surface needs "
+        "points "
         "that span one");
   }
 }

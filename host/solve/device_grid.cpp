@@ -1,0 +1,136 @@
+#include "solve/device_grid.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+#include "gpu/command_stream.h"
+#include "shared/solver_types.h"
+#include "solve/energy.h"
+
+namespace morphgrid {
+namespace {
+
+constexpr int kFinestResolutionBits = 24;  // Floats hold differences of a spacing exactly.
+
+const StrutGrid& validated(const StrutGrid& grid) {
+  validate(grid);
+  return grid;
+}
+
+/// The finest power of two whose 32-bit range holds the grid rolled out to either side of the
+/// origin.
+double chooseResolution(const GridShape& shape) {
+  const double reach = shape.verticesU + shape.verticesV + shape.layers;
+  const int rangeBits = static_cast<int>(std::ceil(std::log2(reach)));
+  return std::ldexp(1.0, -std::min(kFinestResolutionBits, 31 - rangeBits));
+}
+
+/// Rest lengths on the way between the initial and the designed ones must fit too.
+double chooseRestResolution(const StrutGrid& grid) {
+  double longest = grid.spacing;
+  for (const Strut& strut : listStruts(grid.shape)) {
+    longest = std::max({longest, valueAt(grid.rest, strut),
+                        (grid.positions.col(strut.to) - grid.positions.col(strut.from)).norm()});
+  }
+  return std::ldexp(1.0, std::ilogb(longest / grid.spacing) + 1 - 31);
+}
+
+Buffer perVertexBuffer(const Device& device, const GridShape& shape) {
+  using Usage = vk::BufferUsageFlagBits;
+  return {device, shape.vertexCount() * sizeof(vec4),
+          Usage::eStorageBuffer | Usage::eUniformTexelBuffer | Usage::eTransferSrc |
+              Usage::eTransferDst,
+          MemoryKind::device};
+}
+
+/// One coordinate as a 32-bit integer and kExtraBits more bits.
+struct FixedPoint {
+  std::int32_t whole;
+  std::int32_t extra;
+};
+
+FixedPoint toFixedPoint(double steps) {
+  constexpr std::int64_t kExtraSteps = 1 << kExtraBits;
+  const auto fine = static_cast<std::int64_t>(std::llround(steps * kExtraSteps));
+  return {static_cast<std::int32_t>(fine >> kExtraBits),
+          static_cast<std::int32_t>(fine & (kExtraSteps - 1))};
+}
+
+ivec4 encode(const Eigen::Vector3d& steps) {
+  const FixedPoint x = toFixedPoint(steps.x());
+  const FixedPoint y = toFixedPoint(steps.y());
+  const FixedPoint z = toFixedPoint(steps.z());
+  return {x.whole, y.whole, z.whole,
+          x.extra | (y.extra << kExtraBits) | (z.extra << 2 * kExtraBits)};
+}
+
+Eigen::Vector3d decode(const ivec4& p) {
+  constexpr int kMask = (1 << kExtraBits) - 1;
+  constexpr double kExtraSteps = 1 << kExtraBits;
+  const auto coordinate = [&](int axis) {
+    return p[axis] + ((p.w >> (axis * kExtraBits)) & kMask) / kExtraSteps;
+  };
+  return {coordinate(0), coordinate(1), coordinate(2)};
+}
+
+std::vector<vec4> packStiffness(const StrutValues& stiffness) {
+  std::vector<vec4> packed(stiffness.u.size());
+  for (std::size_t n = 0; n < packed.size(); ++n) {
+    packed[n] = {stiffness.u[n], stiffness.v[n], stiffness.w[n], 0};
+  }
+  return packed;
+}
+
+}  // namespace
+
+DeviceGrid::DeviceGrid(const Device& device, const StrutGrid& grid)
+    : device_(device),
+      shape_(validated(grid).shape),
+      spacing_(grid.spacing),
+      angleWeight_(grid.angleWeight),
+      resolution_(chooseResolution(grid.shape)),
+      restResolution_(chooseRestResolution(grid)),
+      origin_(grid.positions.rowwise().mean()),
+      stepsPerForce_((2 * StrutEnergy(grid).constraintWeights()).cwiseInverse()),
+      positions_(perVertexBuffer(device, shape_)),
+      previousPositions_(perVertexBuffer(device, shape_)),
+      rest_(perVertexBuffer(device, shape_)),
+      stiffness_(perVertexBuffer(device, shape_)) {
+  uploadPositions(grid.positions);
+  uploadRest(grid.rest);
+  upload(device, stiffness_, packStiffness(grid.stiffness));
+}
+
+void DeviceGrid::uploadPositions(const Eigen::Matrix3Xd& positions) {
+  std::vector<ivec4> packed(positions.cols());
+  for (Eigen::Index n = 0; n < positions.cols(); ++n) {
+    packed[n] = encode((positions.col(n) - origin_) / (spacing_ * resolution_));
+  }
+  upload(device_, positions_, packed);
+  upload(device_, previousPositions_, packed);
+}
+
+void DeviceGrid::uploadRest(const StrutValues& rest) {
+  const auto toSteps = [&](double length) {
+    return static_cast<std::int32_t>(std::llround(length / (spacing_ * restResolution_)));
+  };
+  std::vector<ivec4> packed(rest.u.size());
+  for (std::size_t n = 0; n < packed.size(); ++n) {
+    const auto stepPerForce = static_cast<float>(stepsPerForce_[static_cast<Eigen::Index>(n)]);
+    packed[n] = {toSteps(rest.u[n]), toSteps(rest.v[n]), toSteps(rest.w[n]),
+                 std::bit_cast<std::int32_t>(stepPerForce)};
+  }
+  upload(device_, rest_, packed);
+}
+
+Eigen::Matrix3Xd DeviceGrid::downloadPositions() const {
+  const auto packed = download<ivec4>(device_, positions_, shape_.vertexCount());
+  Eigen::Matrix3Xd positions(3, shape_.vertexCount());
+  for (Eigen::Index n = 0; n < positions.cols(); ++n) {
+    positions.col(n) = origin_ + spacing_ * resolution_ * decode(packed[n]);
+  }
+  return positions;
+}
+
+}  // namespace morphgrid

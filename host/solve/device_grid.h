@@ -1,0 +1,55 @@
+#pragma once
+#include "gpu/buffer.h"
+#include "grid/strut_grid.h"
+
+namespace morphgrid {
+
+/// A strut grid in the device's memory: what the kernels of shaders/solve and shaders/render read.
+/// Lengths are in units of the spacing; positions are fixed-point, see
+/// shaders/shared/solver_types.h.
+class DeviceGrid {
+ public:
+  /// Uploads positions, rest lengths and stiffnesses. Throws InputError when the grid is not valid,
+  /// DeviceError when it exceeds the device's limits.
+  DeviceGrid(const Device& device, const StrutGrid& grid);
+
+  const GridShape& shape() const { return shape_; }
+  double spacing() const { return spacing_; }
+  double angleWeight() const { return angleWeight_; }
+  /// Spacings per step of the fixed-point positions, a power of two.
+  double resolution() const { return resolution_; }
+  /// Spacings per step of the fixed-point rest lengths, a power of two.
+  double restResolution() const { return restResolution_; }
+  /// What the fixed-point zero stands for, in the scene's unit of length.
+  const Eigen::Vector3d& origin() const { return origin_; }
+
+  /// ivec4 a vertex. The solver swaps between two such buffers; this one holds the newest state.
+  const Buffer& positions() const { return positions_; }
+  const Buffer& previousPositions() const { return previousPositions_; }
+  /// ivec4 a vertex: rest lengths of the struts to +u, +v, +w in fixed point; step per force.
+  const Buffer& rest() const { return rest_; }
+  /// vec4 a vertex: stiffnesses of the struts to +u, +v, +w.
+  const Buffer& stiffness() const { return stiffness_; }
+
+  /// positions: 3 x vertexCount, in the scene's unit of length; both buffers get them (no
+  /// velocity).
+  void uploadPositions(const Eigen::Matrix3Xd& positions);
+  void uploadRest(const StrutValues& rest);
+  Eigen::Matrix3Xd downloadPositions() const;
+
+ private:
+  const Device& device_;
+  GridShape shape_;
+  double spacing_;
+  double angleWeight_;
+  double resolution_;
+  double restResolution_;
+  Eigen::Vector3d origin_;
+  Eigen::VectorXd stepsPerForce_;
+  Buffer positions_;
+  Buffer previousPositions_;
+  Buffer rest_;
+  Buffer stiffness_;
+};
+
+}  // namespace morphgrid

@@ -1,0 +1,256 @@
+#include "solve/jacobi_solver.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "core/error.h"
+#include "core/interrupt.h"
+#include "shared/solver_types.h"
+#include "solve/control_comp.h"
+#include "solve/energy.h"
+#include "solve/sweep_comp.h"
+#include "solve/sweep_precise_comp.h"
+
+namespace morphgrid {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr int kLoadSteps = 10;
+constexpr double kLoadTolerance = 3e-6;  // Residual at which the next load step is taken.
+constexpr long kLoadSweeps = 2000;       // It is taken after this many sweeps at the latest.
+// Well above what rounding in single precision leaves of the residual; below it doubles take over.
+constexpr double kSinglePrecisionResidual = 1e-6;
+constexpr int kLargestSubmission = 64;  // Checks recorded at once.
+constexpr double kSubmissionSeconds = 0.1;
+constexpr long kPatience = 20000;  // Sweeps without a new best residual that end the run.
+
+Buffer hostStorage(const Device& device, std::size_t bytes) {
+  return {device, bytes, vk::BufferUsageFlagBits::eStorageBuffer, MemoryKind::host};
+}
+
+std::uint32_t groupsFor(int count, std::uint32_t groupSize) {
+  return (static_cast<std::uint32_t>(count) + groupSize - 1) / groupSize;
+}
+
+/// Rest lengths on the way from the struts' initial lengths (share 0) to the designed ones (1).
+StrutValues loadedRest(const StrutGrid& grid, double share) {
+  StrutValues rest = grid.rest;
+  if (share < 1) {
+    for (const Strut& strut : listStruts(grid.shape)) {
+      const double initial = (grid.positions.col(strut.to) - grid.positions.col(strut.from)).norm();
+      valueAt(rest, strut) = initial + share * (valueAt(grid.rest, strut) - initial);
+    }
+  }
+  return rest;
+}
+
+}  // namespace
+
+JacobiSolver::JacobiSolver(const Device& device, const StrutGrid& grid, DeviceGrid& deviceGrid)
+    : device_(device),
+      grid_(grid),
+      deviceGrid_(deviceGrid),
+      energy_(grid),
+      groupsU_(groupsFor(grid.shape.verticesU, kSweepColumnsU)),
+      groupsV_(groupsFor(grid.shape.verticesV, kSweepColumnsV)),
+      state_(hostStorage(device, sizeof(SolverState))),
+      partials_(device, groupsU_ * groupsV_ * sizeof(vec4), vk::BufferUsageFlagBits::eStorageBuffer,
+                MemoryKind::device),
+      samples_(hostStorage(device, kLargestSubmission * sizeof(SolverSample))),
+      positionsView_(device, deviceGrid.positions(), vk::Format::eR32G32B32A32Sint, sizeof(ivec4)),
+      previousView_(device, deviceGrid.previousPositions(), vk::Format::eR32G32B32A32Sint,
+                    sizeof(ivec4)),
+      restView_(device, deviceGrid.rest(), vk::Format::eR32G32B32A32Sint, sizeof(ivec4)),
+      stiffnessView_(device, deviceGrid.stiffness(), vk::Format::eR32G32B32A32Sfloat, sizeof(vec4)),
+      sweeps_(sweepKernels(sweep_comp_spirv)),
+      control_(
+          device, control_comp_spirv,
+          {{kBindingState, &state_}, {kBindingPartials, &partials_}, {kBindingSamples, &samples_}},
+          sizeof(ControlPush)),
+      stream_(device) {
+  if (device.hasFloat64()) {
+    preciseSweeps_ = sweepKernels(sweep_precise_comp_spirv);
+  }
+}
+
+JacobiSolver::SweepKernels JacobiSolver::sweepKernels(std::span<const std::uint32_t> spirv) const {
+  const auto kernel = [&](const TexelView& from, const Buffer& to, bool measure) {
+    const std::uint32_t planar = grid_.shape.layers == 1 ? 1 : 0;
+    return ComputeKernel(device_, spirv,
+                         {{kBindingPositions, &from},
+                          {kBindingNextPositions, &to},
+                          {kBindingRest, &restView_},
+                          {kBindingStiffness, &stiffnessView_},
+                          {kBindingState, &state_},
+                          {kBindingPartials, &partials_}},
+                         sizeof(SweepPush), {measure ? 1U : 0U, planar});
+  };
+  return {kernel(positionsView_, deviceGrid_.previousPositions(), false),
+          kernel(previousView_, deviceGrid_.positions(), false),
+          kernel(previousView_, deviceGrid_.positions(), true)};
+}
+
+void JacobiSolver::recordSweep(const ComputeKernel& kernel, std::uint32_t sweep) {
+  const GridShape& shape = grid_.shape;
+  const SweepPush push{shape.verticesU,
+                       shape.verticesV,
+                       shape.layers,
+                       sweep,
+                       static_cast<float>(deviceGrid_.resolution()),
+                       static_cast<float>(deviceGrid_.restResolution()),
+                       static_cast<float>(grid_.angleWeight)};
+  stream_.dispatch(kernel, push, groupsU_, groupsV_);
+}
+
+void JacobiSolver::record(const SweepKernels& kernels, int checks) {
+  const double residualScale =
+      1 / (2 * energy_.constraintWeights().mean() * std::sqrt(double(grid_.shape.vertexCount())));
+  stream_.begin();
+  for (int check = 0; check < checks; ++check) {
+    for (std::uint32_t sweep = 0; sweep + 1 < kSweepsPerCheck; ++sweep) {
+      recordSweep(sweep % 2 == 0 ? kernels.even : kernels.odd, sweep);
+    }
+    recordSweep(kernels.measured, kSweepsPerCheck - 1);
+    stream_.dispatch(
+        control_,
+        ControlPush{groupsU_ * groupsV_, kLargestSubmission, static_cast<float>(residualScale)}, 1);
+  }
+  stream_.end();
+}
+
+void JacobiSolver::resetState(double tolerance) {
+  state_.mapped<SolverState>()[0] = {0, 0, 0, static_cast<float>(tolerance)};
+}
+
+void JacobiSolver::sweep(int checks, bool precise) {
+  record(precise ? preciseSweeps_.value() : sweeps_, checks);
+  resetState(0);
+  stream_.submitAndWait();
+}
+
+/// What has happened since solve() began, and whether to go on.
+class JacobiSolver::RunLog {
+ public:
+  RunLog(const SolveOptions& options, double energyScale)
+      : options_(options), energyScale_(energyScale) {}
+
+  double seconds() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
+  long sweeps() const { return sweeps_; }
+  std::vector<ConvergenceSample>& history() { return history_; }
+
+  void add(const SolverSample& sample) {
+    sweeps_ += kSweepsPerCheck;
+    if (!std::isfinite(sample.energy) || !std::isfinite(sample.residual)) {
+      throw DeviceError(fmt::format("the solve left the range of numbers at sweep {}", sweeps_));
+    }
+    history_.push_back({sweeps_, sample.energy * energyScale_, sample.residual, seconds()});
+    if (sample.residual < 0.9 * bestResidual_) {
+      bestResidual_ = sample.residual;
+      bestSweep_ = sweeps_;
+    }
+  }
+
+  /// A new problem begins: its residuals are not comparable with those before.
+  void forgetBest() {
+    bestResidual_ = std::numeric_limits<double>::infinity();
+    bestSweep_ = sweeps_;
+  }
+
+  void report() const {
+    if (options_.onProgress && !history_.empty()) {
+      options_.onProgress(history_.back());
+    }
+  }
+
+  /// Why the whole solve must end now, if it must.
+  std::optional<StopReason> reasonToStop() const {
+    if (interruptRequested()) {
+      return StopReason::interrupted;
+    }
+    if (sweeps_ >= options_.iterationLimit) {
+      return StopReason::iterationLimit;
+    }
+    if (sweeps_ - bestSweep_ > kPatience) {
+      return StopReason::stagnated;
+    }
+    return std::nullopt;
+  }
+
+ private:
+  const SolveOptions& options_;
+  double energyScale_;
+  Clock::time_point start_ = Clock::now();
+  long sweeps_ = 0;
+  double bestResidual_ = std::numeric_limits<double>::infinity();
+  long bestSweep_ = 0;
+  std::vector<ConvergenceSample> history_;
+};
+
+void JacobiSolver::runUntil(const SweepKernels& kernels, double tolerance, long sweepLimit,
+                            RunLog& log) {
+  resetState(tolerance);
+  log.forgetBest();
+  const long end = log.sweeps() + sweepLimit;
+  int checks = 4;
+  while (!log.reasonToStop() && log.sweeps() < end) {
+    const double before = log.seconds();
+    const auto left = (end - log.sweeps() + kSweepsPerCheck - 1) / kSweepsPerCheck;
+    record(kernels, static_cast<int>(std::min<long>(checks, left)));
+    state_.mapped<SolverState>()[0].sampleCount = 0;
+    stream_.submitAndWait();
+    const SolverState state = state_.mapped<SolverState>()[0];
+    for (std::uint32_t n = 0; n < state.sampleCount; ++n) {
+      log.add(samples_.mapped<SolverSample>()[n]);
+    }
+    log.report();
+    if (state.done != 0) {
+      return;
+    }
+    if (log.seconds() - before < kSubmissionSeconds / 2) {
+      checks = std::min(2 * checks, kLargestSubmission);
+    }
+  }
+}
+
+Equilibrium JacobiSolver::solve(const SolveOptions& options) {
+  RunLog log(options, grid_.spacing * grid_.spacing);
+  Equilibrium result;
+  for (int step = 1; step < kLoadSteps && !log.reasonToStop(); ++step) {
+    deviceGrid_.uploadRest(loadedRest(grid_, double(step) / kLoadSteps));
+    runUntil(sweeps_, std::max(kLoadTolerance, options.tolerance), kLoadSweeps, log);
+  }
+  deviceGrid_.uploadRest(grid_.rest);
+  const SweepKernels& finalSweeps = preciseSweeps_ ? *preciseSweeps_ : sweeps_;
+  if (options.tolerance < kSinglePrecisionResidual) {
+    runUntil(sweeps_, kSinglePrecisionResidual, options.iterationLimit - log.sweeps(), log);
+  }
+  // The device may see a slightly other residual than the host in double: the host decides.
+  for (double tolerance = options.tolerance; !result.converged; tolerance /= 2) {
+    runUntil(finalSweeps, tolerance, options.iterationLimit - log.sweeps(), log);
+    result.positions = deviceGrid_.downloadPositions();
+    const StrutEnergy::Value value = energy_.evaluate(result.positions);
+    result.energy = value.energy;
+    result.residual = energy_.residual(value.gradient);
+    result.converged = result.residual <= options.tolerance;
+    if (const auto reason = log.reasonToStop()) {
+      result.reason = *reason;
+      break;
+    }
+  }
+  if (result.converged) {
+    result.reason = StopReason::residual;
+  }
+  result.iterations = log.sweeps();
+  result.seconds = log.seconds();
+  result.history = std::move(log.history());
+  result.history.push_back({result.iterations, result.energy, result.residual, result.seconds});
+  return result;
+}
+
+}  // namespace morphgrid

@@ -1,0 +1,78 @@
+// Compiles as GLSL and as C++: what the host and the solver's kernels agree on.
+#ifndef MORPHGRID_SOLVER_TYPES_H
+#define MORPHGRID_SOLVER_TYPES_H
+#ifdef __cplusplus
+#include <cstdint>
+#include <glm/glm.hpp>
+namespace morphgrid {
+using glm::ivec4;
+using glm::uvec4;
+using glm::vec4;
+using uint = std::uint32_t;
+#define CONSTANT constexpr
+#else
+#define CONSTANT const
+#endif
+
+// Positions are fixed-point integers, ivec4 a vertex: x, y, z, and in w ten more bits of each.
+CONSTANT uint kExtraBits = 10u;
+
+// Workgroup of the sweep: columns along u and v. The layers of a column are one invocation's work.
+CONSTANT uint kSweepColumnsU = 8u;
+CONSTANT uint kSweepColumnsV = 16u;
+CONSTANT uint kControlInvocations = 128u;
+
+// Every kSweepsPerCheck-th sweep measures energy and residual; even, so that the measured state always
+// lies in the same of the two position buffers.
+CONSTANT uint kSweepsPerCheck = 16u;
+
+// Bindings of the solver's kernels.
+CONSTANT uint kBindingPositions = 0u;      // texels, ivec4 a vertex
+CONSTANT uint kBindingNextPositions = 1u;  // buffer, ivec4 a vertex; holds the previous ones before
+CONSTANT uint kBindingRest = 2u;           // texels, ivec4 a vertex: rest lengths and step
+CONSTANT uint kBindingStiffness = 3u;      // texels, vec4 a vertex: w c of +u, +v, +w
+CONSTANT uint kBindingState = 4u;          // buffer, SolverState
+CONSTANT uint kBindingPartials = 5u;       // buffer, vec4 a workgroup: energy, |g|^2, g.velocity
+CONSTANT uint kBindingSamples = 6u;        // buffer, SolverSample
+
+// Rest lengths are an ivec4 a vertex: L of its struts to +u, +v and +w in fixed point, and in w the bits
+// of a float: how far the vertex steps per unit of force.
+
+// Lengths are in units of the spacing, energies in stiffness x spacing^2.
+struct SweepPush {
+  int verticesU;
+  int verticesV;
+  int layers;
+  uint sweep;           // Number of this sweep since the last check, 0 .. kSweepsPerCheck-1.
+  float resolution;     // Spacings per step of the fixed-point positions, a power of two.
+  float restResolution;  // Spacings per step of the fixed-point rest lengths, a power of two.
+  float angleWeight;
+};
+
+struct ControlPush {
+  uint partialCount;
+  uint sampleCapacity;
+  float residualScale;  // residual = |g| residualScale
+};
+
+struct SolverState {
+  uint sweepsSinceRestart;  // Of the Chebyshev acceleration.
+  uint sampleCount;
+  uint done;         // 1 once the residual is below the tolerance: sweeps then change nothing.
+  float tolerance;
+};
+
+struct SolverSample {
+  float energy;
+  float residual;
+};
+
+#ifdef __cplusplus
+static_assert(sizeof(SweepPush) == 28);
+static_assert(sizeof(ControlPush) == 12);
+static_assert(sizeof(SolverState) == 16);
+static_assert(sizeof(SolverSample) == 8);
+}  // namespace morphgrid
+#endif
+#undef CONSTANT
+#endif

@@ -1,0 +1,5 @@
+// The sweep with differences and dot products in double precision: the last digits.
+#version 450
+#extension GL_GOOGLE_include_directive : require
+#define PRECISE
+#include "solve/sweep.glsl"
