@@ -1,0 +1,87 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <regex>
+#include <sstream>
+
+#include "core/read_file.h"
+#include "tests/app/scene_files.h"
+
+namespace morphgrid {
+namespace {
+
+const std::filesystem::path kSource = MORPHGRID_SOURCE_DIR;
+
+std::string readDoc() { return readFile(kSource / "docs/scene_format.md"); }
+
+/// The keys that have a row in a table under the heading of their section.
+std::vector<std::string> documentedKeys() {
+  const std::regex heading(R"(## (\[(\w+)\]|.*))");
+  const std::regex row(R"(\| `(\w+)` \|.*)");
+  std::vector<std::string> keys;
+  std::string section, line;
+  std::istringstream doc(readDoc());
+  while (std::getline(doc, line)) {
+    std::smatch match;
+    if (std::regex_match(line, match, heading)) section = match[2];
+    if (std::regex_match(line, match, row)) {
+      keys.push_back(section.empty() ? match[1].str() : section + "." + match[1].str());
+    }
+  }
+  return keys;
+}
+
+/// The fenced blocks of a language in order; "" for those without one.
+std::vector<std::string> blocks(const std::string& language) {
+  std::vector<std::string> found;
+  std::string line;
+  std::istringstream doc(readDoc());
+  while (std::getline(doc, line)) {
+    if (line.rfind("```", 0) != 0) continue;
+    const bool wanted = line == "```" + language;
+    std::string block;
+    while (std::getline(doc, line) && line != "```") block += line + "\n";
+    if (wanted) found.push_back(block);
+  }
+  return found;
+}
+
+TEST(SceneFormatDoc, ListsExactlyTheKnownKeys) { EXPECT_EQ(documentedKeys(), knownSceneKeys()); }
+
+TEST(SceneFormatDoc, ItsExamplesLoad) {
+  const std::vector<std::string> examples = blocks("toml");
+  ASSERT_EQ(examples.size(), 2u);
+  const TemporaryFolder folder;
+  folder.write("patches/egg_chair.toml", examples[1]);
+  EXPECT_EQ(loadScene(folder.write("scene.toml", examples[0])).solve.tolerance, 1e-9);
+}
+
+TEST(SceneFormatDoc, ItsErrorsLookLikeThat) {
+  const TemporaryFolder folder;
+  folder.write("scenes/patches/dome.toml", R"(control_points = [
+  [[0, 0, 0], [1, 0, 1], [2, 0, 1], [3, 0, 0]],
+  [[0, 1, 0], [1, 1, 1], [2, 1, 1]],
+  [[0, 2, 0], [1, 2, 1], [2, 2, 1], [3, 2, 0]],
+  [[0, 3, 0], [1, 3, 1], [2, 3, 1], [3, 3, 0]],
+]
+)");
+  const auto scene = folder.write("scenes/dome.toml", R"([surface]
+kind = "bezier"
+patch = "patches/dome.toml"
+
+[grid]
+layers = 65
+node_long = 20
+nodes_u = 20
+)");
+  try {
+    loadScene(scene, {"solver.tolerance=0"});
+    FAIL() << "a bad scene was accepted";
+  } catch (const InputError& error) {
+    EXPECT_THAT(blocks(""), testing::Contains(folder.withoutPath(error.what()) + "\n"));
+  }
+}
+
+}  // namespace
+}  // namespace morphgrid
