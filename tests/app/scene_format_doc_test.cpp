@@ -1,8 +1,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <regex>
 #include <sstream>
 
 #include "core/read_file.h"
@@ -15,19 +13,21 @@ const std::filesystem::path kSource = MORPHGRID_SOURCE_DIR;
 
 std::string readDoc() { return readFile(kSource / "docs/scene_format.md"); }
 
+/// What follows `start` up to `end`; empty for lines that do not start so.
+std::string between(const std::string& line, const std::string& start, char end) {
+  if (line.rfind(start, 0) != 0) return "";
+  return line.substr(start.size(), line.find(end, start.size()) - start.size());
+}
+
 /// The keys that have a row in a table under the heading of their section.
 std::vector<std::string> documentedKeys() {
-  const std::regex heading(R"(## (\[(\w+)\]|.*))");
-  const std::regex row(R"(\| `(\w+)` \|.*)");
   std::vector<std::string> keys;
   std::string section, line;
   std::istringstream doc(readDoc());
   while (std::getline(doc, line)) {
-    std::smatch match;
-    if (std::regex_match(line, match, heading)) section = match[2];
-    if (std::regex_match(line, match, row)) {
-      keys.push_back(section.empty() ? match[1].str() : section + "." + match[1].str());
-    }
+    if (line.rfind("## ", 0) == 0) section = between(line, "## [", ']');
+    const std::string key = between(line, "| `", '`');
+    if (!key.empty()) keys.push_back(section.empty() ? key : section + "." + key);
   }
   return keys;
 }

@@ -107,6 +107,23 @@ TEST(Scenes, AllLoadWithoutSettingsOfTheirOwnForTheSolver) {
   EXPECT_EQ(count, 4);
 }
 
+TEST(Scenes, HaveTheMeasuresThatThePaperPrints) {
+  for (const char* name : {"patch.toml", "egg_chair.toml", "iris_petal.toml"}) {
+    SCOPED_TRACE(name);
+    const Scene scene = loadScene(kScenes / name);
+    const PublishedFigures& paper = *scene.published;
+    const SurfaceSurvey survey = surveySurface(*scene.surface);
+    EXPECT_NEAR(survey.longestIsolineU, *paper.longestIsolineU, 1e-3 * *paper.longestIsolineU);
+    EXPECT_NEAR(survey.longestIsolineV, *paper.longestIsolineV, 1e-3 * *paper.longestIsolineV);
+    EXPECT_NEAR(survey.largestCurvature(), *paper.largestCurvature, 0.01 * *paper.largestCurvature);
+    const GridSize size = chooseGridSize(survey, scene.design);
+    EXPECT_EQ(size.nodesU, paper.nodesU);
+    EXPECT_EQ(size.nodesV, paper.nodesV);
+    EXPECT_EQ(size.layerSpacing, scene.design.layerSpacing);
+    EXPECT_THAT(size.notices, testing::IsEmpty());
+  }
+}
+
 TEST(LoadScene, LeavesTheDefaultsOfWhatIsNotGiven) {
   const SceneFiles files(kBezierScene);
   const Scene scene = files.load();
