@@ -3,6 +3,7 @@
 #include <stdlib.h>
 
 #include <fstream>
+#include <iterator>
 #include <stdexcept>
 
 namespace morphgrid {
@@ -16,6 +17,10 @@ TemporaryFolder::TemporaryFolder() {
 TemporaryFolder::~TemporaryFolder() {
   std::error_code ignored;  // A destructor has nobody to tell.
   std::filesystem::remove_all(path_, ignored);
+}
+
+int TemporaryFolder::fileCount() const {
+  return static_cast<int>(std::distance(std::filesystem::directory_iterator(path_), {}));
 }
 
 std::filesystem::path TemporaryFolder::write(const std::filesystem::path& name,

@@ -14,6 +14,8 @@ class TemporaryFolder {
   TemporaryFolder& operator=(const TemporaryFolder&) = delete;
 
   const std::filesystem::path& path() const { return path_; }
+  std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
+  int fileCount() const;
 
   /// Writes a file, making folders on the way, and returns its path.
   std::filesystem::path write(const std::filesystem::path& name, std::string_view text) const;
