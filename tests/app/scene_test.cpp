@@ -101,7 +101,7 @@ TEST(Scenes, AllLoadWithoutSettingsOfTheirOwnForTheSolver) {
     const Scene scene = loadScene(entry.path());
     EXPECT_EQ(scene.method, Method::jacobi);
     EXPECT_EQ(scene.scaling, Scaling::normalised);
-    EXPECT_EQ(scene.solve.tolerance, 1e-8);
+    EXPECT_EQ(scene.solve.tolerance, SolveOptions().tolerance);
     EXPECT_EQ(scene.weights.vertical, 40);
   }
   EXPECT_EQ(count, 4);
@@ -135,8 +135,8 @@ TEST(LoadScene, LeavesTheDefaultsOfWhatIsNotGiven) {
   EXPECT_EQ(scene.weights.angle, 1);
   EXPECT_EQ(scene.method, Method::jacobi);
   EXPECT_EQ(scene.scaling, Scaling::normalised);
-  EXPECT_EQ(scene.solve.tolerance, 1e-8);
-  EXPECT_EQ(scene.solve.iterationLimit, 200000);
+  EXPECT_EQ(scene.solve.tolerance, SolveOptions().tolerance);
+  EXPECT_EQ(scene.solve.iterationLimit, SolveOptions().iterationLimit);
   EXPECT_TRUE(scene.pictures.enabled);
   EXPECT_EQ(scene.pictures.width, 1280);
   EXPECT_EQ(scene.pictures.height, 960);
