@@ -37,7 +37,8 @@ struct FileChoices {
 
 /// One scene file, read and checked. Exactly one of surface and bendAngles is set.
 struct Scene {
-  std::string name;  ///< The file's stem.
+  std::string name;   ///< The file's stem.
+  std::string title;  ///< For people; the name when the file has none.
   std::filesystem::path file;
   std::shared_ptr<const Surface> surface;
   std::optional<BendAngleRequest> bendAngles;
@@ -55,5 +56,8 @@ struct Scene {
 /// before the checks. Throws InputError with every problem of the file, one a line, each as
 /// `file:line:column: what is wrong, what is allowed, what was found`.
 Scene loadScene(const std::filesystem::path& file, const std::vector<std::string>& overrides = {});
+
+/// The dotted names of all keys that a scene file may hold, in the order of the documentation.
+std::vector<std::string> knownSceneKeys();
 
 }  // namespace morphgrid

@@ -13,20 +13,6 @@
 
 namespace morphgrid {
 
-TemporaryFolder::TemporaryFolder() {
-  std::string name = std::filesystem::temp_directory_path() / "morphgrid_export_XXXXXX";
-  if (mkdtemp(name.data()) == nullptr) {
-    throw std::runtime_error("no temporary folder: " + name);
-  }
-  path_ = name;
-}
-
-TemporaryFolder::~TemporaryFolder() { std::filesystem::remove_all(path_); }
-
-int TemporaryFolder::fileCount() const {
-  return static_cast<int>(std::distance(std::filesystem::directory_iterator(path_), {}));
-}
-
 OrdinaryUser::OrdinaryUser() : before_(geteuid()) {
   const uid_t nobody = 65534;
   if (before_ == 0 && seteuid(nobody) != 0) {
@@ -50,11 +36,6 @@ FullDisk::FullDisk(rlim_t bytes) {
 FullDisk::~FullDisk() {
   setrlimit(RLIMIT_FSIZE, &before_);
   std::signal(SIGXFSZ, handlerBefore_);
-}
-
-std::string readFile(const std::filesystem::path& path) {
-  std::ifstream stream(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), {}};
 }
 
 void writeFile(const std::filesystem::path& path, const std::string& content) {

@@ -6,25 +6,12 @@
 #include <filesystem>
 #include <string>
 
+#include "core/read_file.h"
 #include "grid/strut_grid.h"
 #include "grid/surface_mesh.h"
+#include "tests/support/temporary_folder.h"
 
 namespace morphgrid {
-
-/// An empty folder under the system's temporary one, removed at the end.
-class TemporaryFolder {
- public:
-  TemporaryFolder();
-  ~TemporaryFolder();
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-
-  std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
-  int fileCount() const;
-
- private:
-  std::filesystem::path path_;
-};
 
 /// While it lives, root is somebody whom permissions stop.
 class OrdinaryUser {
@@ -51,7 +38,6 @@ class FullDisk {
   void (*handlerBefore_)(int);
 };
 
-std::string readFile(const std::filesystem::path& path);
 void writeFile(const std::filesystem::path& path, const std::string& content);
 
 /// A grid, where it ended, and its surface: no two numbers alike, most with all their digits.

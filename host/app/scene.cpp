@@ -1,0 +1,45 @@
+#include "app/scene.h"
+
+#include "app/scene_settings.h"
+#include "app/scene_target.h"
+#include "core/toml_reader.h"
+
+namespace morphgrid {
+namespace {
+
+Scene readScene(TomlReader& reader, const std::filesystem::path& file) {
+  Scene scene{.name = file.stem().string(), .file = file};
+  scene.title = reader.root().text("title").value_or(scene.name);
+  SceneTarget target = readSceneTarget(reader, file.parent_path());
+  scene.surface = std::move(target.surface);
+  scene.bendAngles = target.bendAngles;
+  scene.design = target.design;
+  scene.weights = readWeights(reader);
+  SolverSettings solver = readSolverSettings(reader);
+  scene.method = solver.method;
+  scene.scaling = solver.scaling;
+  scene.solve = std::move(solver.options);
+  const OutputChoices output = readOutputChoices(reader);
+  scene.pictures = output.pictures;
+  scene.files = output.files;
+  scene.published = readPublishedFigures(reader);
+  reader.reportUnknownKeys();
+  return scene;
+}
+
+}  // namespace
+
+Scene loadScene(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
+  TomlReader reader(file, parseToml(file, overrides));
+  Scene scene = readScene(reader, file);
+  reader.problems.throwIfAny();
+  return scene;
+}
+
+std::vector<std::string> knownSceneKeys() {
+  TomlReader reader("", {});
+  readScene(reader, "");
+  return reader.knownKeys();
+}
+
+}  // namespace morphgrid

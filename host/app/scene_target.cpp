@@ -1,0 +1,140 @@
+#include "app/scene_target.h"
+
+#include <fmt/format.h>
+
+#include <limits>
+#include <numbers>
+
+#include "core/read_file.h"
+#include "surface/read_patch.h"
+
+namespace morphgrid {
+namespace {
+
+enum class SurfaceKind { bezier, bendAngles };
+
+constexpr const char* kindName(SurfaceKind kind) {
+  return kind == SurfaceKind::bezier ? "bezier" : "bend_angles";
+}
+
+std::optional<SurfaceKind> readKind(TomlSection& surface) {
+  const auto kind = surface.choice<SurfaceKind>(
+      "kind", {{kindName(SurfaceKind::bezier), SurfaceKind::bezier},
+               {kindName(SurfaceKind::bendAngles), SurfaceKind::bendAngles}});
+  surface.require("kind");
+  return kind;
+}
+
+void rejectKeysOfOtherKinds(SurfaceKind kind, TomlSection& surface, TomlSection& grid) {
+  struct KindKey {
+    SurfaceKind kind;
+    TomlSection& section;
+    const char* key;
+  };
+  using enum SurfaceKind;
+  const KindKey keys[] = {
+      {bezier, surface, "patch"},         {bendAngles, surface, "theta_u"},
+      {bendAngles, surface, "theta_v"},   {bendAngles, surface, "spacing"},
+      {bezier, grid, "nodes_long"},       {bendAngles, grid, "nodes_u"},
+      {bendAngles, grid, "nodes_v"},      {bezier, grid, "max_shrinkage"},
+      {bezier, grid, "curvature_cutoff"},
+  };
+  for (const KindKey& entry : keys) {
+    if (entry.kind == kind) continue;
+    entry.section.reject(entry.key,
+                         fmt::format("belongs to surfaces of kind \"{}\", this one is \"{}\"",
+                                     kindName(entry.kind), kindName(kind)));
+  }
+}
+
+std::shared_ptr<const Surface> readPatchOfScene(TomlReader& reader, const TomlSection& surface,
+                                                const std::filesystem::path& patch) {
+  if (const auto reason = whyUnreadable(patch)) {
+    reader.problems.add(surface.place("patch"),
+                        fmt::format("surface.patch must name a readable file, got {}: {}",
+                                    patch.string(), *reason));
+    return nullptr;
+  }
+  try {
+    return std::make_shared<BezierPatch>(readPatch(patch));
+  } catch (const InputError& error) {
+    reader.problems.add(error);
+    return nullptr;
+  }
+}
+
+DesignRequest readDesign(TomlSection& grid) {
+  const IntegerRange count{1, std::numeric_limits<int>::max()};
+  DesignRequest design;
+  design.layers = static_cast<int>(grid.integer("layers", {1, 64}).value_or(design.layers));
+  design.layerSpacing = grid.number("layer_spacing", above(0)).value_or(design.layerSpacing);
+  grid.require("layer_spacing");
+  design.nodesLong = static_cast<int>(grid.integer("nodes_long", count).value_or(design.nodesLong));
+  design.maxShrinkage = grid.number("max_shrinkage", between(0, 1)).value_or(design.maxShrinkage);
+  design.curvatureCutoff =
+      grid.number("curvature_cutoff", aboveUpTo(0, 1)).value_or(design.curvatureCutoff);
+  return design;
+}
+
+BendAngleRequest readBendAngles(TomlSection& surface, TomlSection& grid,
+                                const DesignRequest& design) {
+  constexpr double pi = std::numbers::pi;
+  constexpr std::array<double, 2> kFlat{0, 0};
+  const IntegerRange count{1, std::numeric_limits<int>::max()};
+  const auto [firstThetaU, lastThetaU] =
+      surface.numberPair("theta_u", fromTo(-pi, pi)).value_or(kFlat);
+  const auto [firstThetaV, lastThetaV] =
+      surface.numberPair("theta_v", fromTo(-pi, pi)).value_or(kFlat);
+  return {.nodesU = static_cast<int>(grid.integer("nodes_u", count).value_or(1)),
+          .nodesV = static_cast<int>(grid.integer("nodes_v", count).value_or(1)),
+          .layers = design.layers,
+          .layerSpacing = design.layerSpacing,
+          .spacing = surface.number("spacing", above(0)).value_or(1),
+          .firstThetaU = firstThetaU,
+          .lastThetaU = lastThetaU,
+          .firstThetaV = firstThetaV,
+          .lastThetaV = lastThetaV};
+}
+
+/// In double, which the largest counts do not overflow.
+void checkVertexCount(TomlReader& reader, const TomlSection& grid, std::string_view key,
+                      double nodesU, double nodesV, int layers) {
+  constexpr int kLimit = std::numeric_limits<int>::max();
+  const double count = (nodesU + 1) * (nodesV + 1) * layers;
+  if (count <= kLimit) return;
+  reader.problems.add(
+      grid.place(key),
+      fmt::format("{} asks for too large a grid: at most {} vertices are possible, got {:.4g}",
+                  grid.fullName(key), kLimit, count));
+}
+
+}  // namespace
+
+SceneTarget readSceneTarget(TomlReader& reader, const std::filesystem::path& folder) {
+  TomlSection surface = reader.section("surface");
+  TomlSection grid = reader.section("grid");
+  const std::optional<SurfaceKind> kind = readKind(surface);
+  if (kind) rejectKeysOfOtherKinds(*kind, surface, grid);
+
+  // All keys are read whatever the kind is: that finds every problem, and all names are known.
+  const std::optional<std::string> patch = surface.text("patch");
+  const DesignRequest design = readDesign(grid);
+  const BendAngleRequest bendAngles = readBendAngles(surface, grid, design);
+
+  SceneTarget target{.design = design};
+  if (kind == SurfaceKind::bezier) {
+    surface.require("patch");
+    if (patch) target.surface = readPatchOfScene(reader, surface, folder / *patch);
+    // The shorter direction is not known before the patch is measured: it has at least one node.
+    checkVertexCount(reader, grid, "nodes_long", design.nodesLong, 1, design.layers);
+  } else if (kind == SurfaceKind::bendAngles) {
+    grid.require("nodes_u");
+    grid.require("nodes_v");
+    const char* key = bendAngles.nodesU >= bendAngles.nodesV ? "nodes_u" : "nodes_v";
+    checkVertexCount(reader, grid, key, bendAngles.nodesU, bendAngles.nodesV, design.layers);
+    target.bendAngles = bendAngles;
+  }
+  return target;
+}
+
+}  // namespace morphgrid

@@ -1,0 +1,22 @@
+#pragma once
+#include <filesystem>
+#include <memory>
+#include <optional>
+
+#include "app/scene.h"
+#include "core/toml_reader.h"
+
+namespace morphgrid {
+
+/// What a scene asks for: [surface] and [grid], whose keys depend on the kind of surface.
+struct SceneTarget {
+  std::shared_ptr<const Surface> surface;
+  std::optional<BendAngleRequest> bendAngles;
+  DesignRequest design;
+};
+
+/// Patches are looked up from `folder`. Problems, those of the patch file too, go to the reader;
+/// without problems exactly one of surface and bendAngles is set.
+SceneTarget readSceneTarget(TomlReader& reader, const std::filesystem::path& folder);
+
+}  // namespace morphgrid

@@ -1,0 +1,34 @@
+#include "core/read_file.h"
+
+#include <fmt/format.h>
+
+#include <cerrno>
+#include <fstream>
+#include <iterator>
+#include <system_error>
+
+#include "core/error.h"
+
+namespace morphgrid {
+
+std::optional<std::string> whyUnreadable(const std::filesystem::path& file) {
+  std::error_code ignored;  // What does not exist is no folder; opening it tells why.
+  if (std::filesystem::is_directory(file, ignored)) return "it is a folder";
+  errno = 0;
+  if (std::ifstream(file, std::ios::binary)) return std::nullopt;
+  return std::generic_category().message(errno);
+}
+
+std::string readFile(const std::filesystem::path& file) {
+  if (const auto reason = whyUnreadable(file)) {
+    throw InputError(fmt::format("{}: cannot be read: {}", file.string(), *reason));
+  }
+  std::ifstream stream(file, std::ios::binary);
+  std::string bytes{std::istreambuf_iterator<char>(stream), {}};
+  if (stream.bad()) {
+    throw InputError(fmt::format("{}: cannot be read: the disk failed", file.string()));
+  }
+  return bytes;
+}
+
+}  // namespace morphgrid

@@ -1,0 +1,104 @@
+#include "core/toml_document.h"
+
+#include <fmt/format.h>
+
+#include <optional>
+#include <string_view>
+
+#include "core/problem_list.h"
+#include "core/read_file.h"
+
+namespace morphgrid {
+namespace {
+
+/// toml++ says "Error while parsing ..." or "Encountered ...".
+std::string explain(const toml::parse_error& error) {
+  std::string text(error.description());
+  const std::string prefix = "Error ";
+  if (text.rfind(prefix, 0) == 0) text.erase(0, prefix.size());
+  if (text.rfind("Enc", 0) == 0) text.front() = 'e';
+  return "not valid TOML: " + text;
+}
+
+toml::table parseFile(const std::filesystem::path& file) {
+  const std::string text = readFile(file);
+  try {
+    return toml::parse(std::string_view(text), file.string());
+  } catch (const toml::parse_error& error) {
+    const auto begin = error.source().begin;
+    const Place place{file.string(), static_cast<int>(begin.line), static_cast<int>(begin.column)};
+    throw InputError(fmt::format("{}: {}", toString(place), explain(error)));
+  }
+}
+
+std::string_view trimmed(std::string_view text) {
+  const auto first = text.find_first_not_of(" \t");
+  if (first == std::string_view::npos) return {};
+  return text.substr(first, text.find_last_not_of(" \t") - first + 1);
+}
+
+/// `key = 'value'` for a value whose author, used to shells, left out the quotes.
+std::optional<std::string> withQuotes(std::string_view assignment, std::size_t equals) {
+  const std::string_view value = trimmed(assignment.substr(equals + 1));
+  const bool opensSomething = std::string_view("[{\"").find(value.front()) != value.npos;
+  if (opensSomething || value.find('\'') != value.npos) return std::nullopt;
+  return fmt::format("{} = '{}'", assignment.substr(0, equals), value);
+}
+
+toml::table parseOverride(const std::string& assignment) {
+  const std::string source = "--set " + assignment.substr(0, assignment.find('\n'));
+  const std::size_t equals = assignment.find('=');
+  const bool oneLine = assignment.find('\n') == std::string::npos;
+  if (!oneLine || equals == std::string::npos ||
+      trimmed(std::string_view(assignment).substr(equals + 1)).empty()) {
+    throw InputError(source + ": must be key=value on one line, e.g. grid.layers=4");
+  }
+  try {
+    return toml::parse(std::string_view(assignment), source);
+  } catch (const toml::parse_error& error) {
+    try {
+      if (const auto quoted = withQuotes(assignment, equals)) {
+        return toml::parse(std::string_view(*quoted), source);
+      }
+    } catch (const toml::parse_error&) {  // Not the value's fault: the first error tells more.
+    }
+    throw InputError(fmt::format("{}: {}", source, explain(error)));
+  }
+}
+
+void merge(toml::table& into, toml::table&& from) {
+  for (auto&& [key, node] : from) {
+    toml::table* old = into[key.str()].as_table();
+    if (old && node.is_table()) {
+      merge(*old, std::move(*node.as_table()));
+      continue;
+    }
+    into.erase(key.str());  // The key carries its place: assigning alone would keep the old one.
+    // Moving keeps a node's place, copying does not.
+    node.visit([&](auto& typed) { into.insert(key, std::move(typed)); });
+  }
+}
+
+}  // namespace
+
+toml::table parseToml(const std::filesystem::path& file,
+                      const std::vector<std::string>& overrides) {
+  ProblemList problems;
+  toml::table document;
+  try {
+    document = parseFile(file);
+  } catch (const InputError& error) {
+    problems.add(error);
+  }
+  for (const std::string& assignment : overrides) {
+    try {
+      merge(document, parseOverride(assignment));
+    } catch (const InputError& error) {
+      problems.add(error);
+    }
+  }
+  problems.throwIfAny();
+  return document;
+}
+
+}  // namespace morphgrid

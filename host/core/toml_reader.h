@@ -1,0 +1,125 @@
+#pragma once
+#include <array>
+#include <filesystem>
+#include <initializer_list>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "core/number_range.h"
+#include "core/problem_list.h"
+#include "core/toml_document.h"
+
+namespace morphgrid {
+
+class TomlSection;
+
+/// Reads a TOML document against the keys that it is asked for. Problems pile up in `problems`,
+/// each with its place, while reading goes on.
+class TomlReader {
+ public:
+  /// `file` as given to parseToml().
+  TomlReader(const std::filesystem::path& file, toml::table document);
+  TomlReader(const TomlReader&) = delete;
+  TomlReader& operator=(const TomlReader&) = delete;
+
+  TomlSection root();
+  TomlSection section(const std::string& name);
+
+  Place place(const toml::node& node) const { return place(node.source()); }
+
+  /// These report a problem and return nothing when the node is something else. `name` is what the
+  /// message calls the node.
+  std::optional<double> number(const std::string& name, const toml::node& node,
+                               const NumberRange& range);
+  const toml::array* array(const std::string& name, const toml::node& node, std::size_t length,
+                           const std::string& allowed);
+
+  /// To be called last: every key that nobody asked for is a problem.
+  void reportUnknownKeys();
+
+  /// The dotted keys asked for so far, section by section.
+  std::vector<std::string> knownKeys() const;
+
+  ProblemList problems;
+
+ private:
+  friend class TomlSection;
+  struct KnownKey {
+    std::string section;
+    std::string name;
+    std::string allowed;  ///< Says what the value must be.
+    bool rejected = false;
+  };
+
+  Place place(const toml::source_region& source) const;
+  KnownKey& know(const std::string& section, std::string_view name);
+  KnownKey* findKnown(const std::string& section, std::string_view name);
+  std::vector<std::string> welcomeNames(const std::string& section) const;
+  void reportUnknownKeys(const toml::table& table, const std::string& section);
+  std::string suggestion(const std::string& section, std::string_view name) const;
+  void reportUnfit(const std::string& name, const toml::node& node, const std::string& allowed);
+
+  std::string file_;
+  toml::table document_;
+  std::vector<std::string> sections_;
+  std::vector<KnownKey> keys_;
+};
+
+/// One table of a document. Asking for a key makes it known; the answer is nothing when the key is
+/// missing, rejected, or holds something else, which is then a problem. Lives as long as its
+/// reader.
+class TomlSection {
+ public:
+  bool present() const { return table_ != nullptr; }
+
+  std::optional<bool> boolean(std::string_view key);
+  std::optional<std::string> text(std::string_view key);
+  std::optional<std::int64_t> integer(std::string_view key, const IntegerRange& range);
+  std::optional<double> number(std::string_view key, const NumberRange& range);
+  /// An array of two numbers.
+  std::optional<std::array<double, 2>> numberPair(std::string_view key, const NumberRange& range);
+  /// An array of `length` elements of any kind.
+  const toml::array* array(std::string_view key, std::size_t length, const std::string& allowed);
+
+  /// One of several words.
+  template <typename T>
+  std::optional<T> choice(std::string_view key,
+                          std::initializer_list<std::pair<std::string_view, T>> choices) {
+    std::vector<std::string_view> words;
+    for (const auto& [word, value] : choices) words.push_back(word);
+    const auto index = choiceIndex(key, words);
+    return index ? std::optional<T>((choices.begin() + *index)->second) : std::nullopt;
+  }
+
+  /// A key asked for before that must be there.
+  void require(std::string_view key);
+
+  /// A known key that must not be there, and why; from here on it counts as missing.
+  void reject(std::string_view key, const std::string& reason);
+
+  /// Where the key's value stands, or the place at which it is missing.
+  Place place(std::string_view key) const;
+
+  /// The dotted name, e.g. "grid.layers".
+  std::string fullName(std::string_view key) const;
+
+ private:
+  friend class TomlReader;
+  TomlSection(TomlReader& reader, std::string name, const toml::table* table, bool malformed);
+
+  const toml::node* find(std::string_view key, std::string allowed);
+  const toml::node* findAny(std::string_view key) const;
+  void reportUnfit(std::string_view key, const toml::node& node);
+  std::optional<std::size_t> choiceIndex(std::string_view key,
+                                         const std::vector<std::string_view>& words);
+
+  TomlReader* reader_;
+  std::string name_;
+  const toml::table* table_;  ///< Null when the document has no such table.
+  bool malformed_;            ///< There is something of that name, but it is no table.
+};
+
+}  // namespace morphgrid
