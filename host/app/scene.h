@@ -7,20 +7,13 @@
 
 #include "design/grid_design.h"
 #include "grid/build_grids.h"
+#include "report/run_record.h"
 #include "solve/equilibrium.h"
 #include "surface/surface.h"
 
 namespace morphgrid {
 
 enum class Method { jacobi, reference };
-
-/// The figures that the paper prints for a scene, shown beside ours; percent values are percent.
-struct PublishedFigures {
-  std::string figure;  ///< e.g. "Fig. 4"
-  std::optional<double> longestIsolineU, longestIsolineV, largestCurvature;
-  std::optional<int> nodesU, nodesV;
-  std::optional<double> bendShrinkPercent, l0Percent, lbPercent, anglePercent;
-};
 
 struct PictureChoices {
   bool enabled = true;

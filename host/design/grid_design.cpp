@@ -30,6 +30,17 @@ int fewestNodes(double longestIsoline, double curvatureLimit) {
   return std::max(1, static_cast<int>(fewest));
 }
 
+/// Strut counts, the largest, must fit into an int.
+void requireCountable(const GridSize& size, int layers) {
+  const double vertices = (size.nodesU + 1.0) * (size.nodesV + 1.0) * layers;
+  const double limit = std::numeric_limits<int>::max() / 3;
+  if (vertices > limit) {
+    throw InputError(fmt::format("{} x {} nodes in {} layers are {:.3g} vertices, at most {:.3g} can be "
+                                 "numbered; ask for fewer nodes or layers",
+                                 size.nodesU, size.nodesV, layers, vertices, limit));
+  }
+}
+
 /// Every strut needs a length, or it cannot be printed.
 void requireLengths(const LateralField<double>& lengths, double longest) {
   const auto require = [&](double length, const char* direction, int i, int j) {
@@ -101,6 +112,7 @@ GridSize chooseGridSize(const SurfaceSurvey& survey, const DesignRequest& reques
   const int nodesShort = shorterNodes(nodesLong, aspect);
   size.nodesU = uIsLonger ? nodesLong : nodesShort;
   size.nodesV = uIsLonger ? nodesShort : nodesLong;
+  requireCountable(size, request.layers);
   if (nodesLong > request.nodesLong) {
     size.notices.push_back(fmt::format(
         "{} nodes on the long edge are raised to {} ({} x {}): a strut may span at most a half "

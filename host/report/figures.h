@@ -1,0 +1,42 @@
+#pragma once
+#include <optional>
+
+#include "design/grid_design.h"
+#include "grid/strut_grid.h"
+#include "surface/surface.h"
+
+namespace morphgrid {
+
+/// How far the struts and corners ended from what the design wants; percent.
+struct StrutErrors {
+  double l0Percent;     ///< Mean | |e| - L0 | / L0 over lateral struts of the layer that carries L0.
+  double lbPercent;     ///< The same for L_b, on the layer of the concave side.
+  double anglePercent;  ///< Mean over all corners of |angle - 90| / 90.
+};
+
+/// positions: 3 x vertexCount of `grid`, whose rest lengths are measured against.
+StrutErrors computeStrutErrors(const GridDesign& design, const StrutGrid& grid,
+                               const Eigen::Matrix3Xd& positions);
+
+/// Distance of the middle layer to the target after rigid alignment, in percent of the diagonal of the
+/// target's bounding box.
+struct TargetDistance {
+  double rmsPercent;  ///< To the point of the same parameters.
+  double maxPercent;
+  double closestPointRmsPercent;  ///< To the closest point of the surface: forgives sliding in it.
+  double closestPointMaxPercent;
+};
+
+/// middle, targets: one column per vertex of a layer, matching.
+TargetDistance computeTargetDistance(const Eigen::Matrix3Xd& middle,
+                                     const Eigen::Matrix3Xd& targets, const Surface& surface);
+
+/// Shrink of a strut = 1 - rest / printed length, the printed one being where the full stage starts.
+struct ShrinkFigures {
+  double largestPercent;
+  int strutsOverLimit;  ///< Lateral struts that shrink by more than maxShrinkage.
+};
+
+ShrinkFigures computeShrink(const StrutGrid& stacked, double maxShrinkage);
+
+}  // namespace morphgrid

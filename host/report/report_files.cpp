@@ -1,0 +1,191 @@
+#include "report/report_files.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+namespace morphgrid {
+namespace {
+
+using nlohmann::ordered_json;
+
+/// JSON has no infinity: what is not finite becomes null.
+ordered_json number(double value) {
+  return std::isfinite(value) ? ordered_json(value) : ordered_json(nullptr);
+}
+
+ordered_json toJson(const Equilibrium& stage) {
+  return {{"iterations", stage.iterations},       {"converged", stage.converged},
+          {"reason", toString(stage.reason)},     {"residual", number(stage.residual)},
+          {"energy", number(stage.energy)},       {"seconds", stage.seconds}};
+}
+
+ordered_json toJson(const MeasurementFigures& m) {
+  return {{"longest_isoline_u", m.longestIsolineU},
+          {"longest_isoline_v", m.longestIsolineV},
+          {"largest_curvature", m.largestCurvature},
+          {"layer_spacing_limit", number(m.layerSpacingLimit)},
+          {"fewest_nodes", m.fewestNodes}};
+}
+
+ordered_json toJson(const GridFigures& g) {
+  return {{"nodes_u", g.shape.verticesU - 1}, {"nodes_v", g.shape.verticesV - 1},
+          {"layers", g.shape.layers},         {"layer_spacing", g.layerSpacing},
+          {"vertices", g.shape.vertexCount()}, {"struts", g.shape.strutCount()},
+          {"bend_shrink_percent", g.bendShrinkPercent}};
+}
+
+ordered_json toJson(const StrutErrors& e) {
+  return {{"l0_percent", e.l0Percent},
+          {"lb_percent", e.lbPercent},
+          {"angle_percent", e.anglePercent}};
+}
+
+ordered_json toJson(const TargetDistance& d) {
+  return {{"rms_percent", d.rmsPercent},
+          {"max_percent", d.maxPercent},
+          {"closest_point_rms_percent", d.closestPointRmsPercent},
+          {"closest_point_max_percent", d.closestPointMaxPercent}};
+}
+
+ordered_json toJson(const ShrinkFigures& s) {
+  return {{"largest_percent", s.largestPercent}, {"struts_over_limit", s.strutsOverLimit}};
+}
+
+template <typename Figures>
+ordered_json orNull(const std::optional<Figures>& figures) {
+  return figures ? toJson(*figures) : ordered_json(nullptr);
+}
+
+void appendSamples(std::string& csv, const char* stage, const std::optional<Equilibrium>& run) {
+  if (run) {
+    for (const ConvergenceSample& s : run->history) {
+      csv += fmt::format("{},{},{},{},{}\n", stage, s.iteration, s.energy, s.residual, s.seconds);
+    }
+  }
+}
+
+/// Rows of "what, ours, the paper's".
+class Table {
+ public:
+  explicit Table(const RunRecord& record) : published_(record.published) {
+    text_ = fmt::format("{:<26}{:>16}", record.title, "morphgrid");
+    if (published_) {
+      text_ += fmt::format("{:>16}", "paper " + published_->figure);
+    }
+    text_ += '\n';
+  }
+
+  void row(const char* what, const std::string& ours, const std::string& papers = "") {
+    text_ += fmt::format("  {:<24}{:>16}", what, ours);
+    if (published_ && !papers.empty()) {
+      text_ += fmt::format("{:>16}", papers);
+    }
+    text_ += '\n';
+  }
+  void line(const std::string& text) { text_ += text + '\n'; }
+  const std::string& text() const { return text_; }
+
+ private:
+  const std::optional<PublishedFigures>& published_;
+  std::string text_;
+};
+
+/// "" where the paper says nothing.
+template <typename... Values>
+std::string ifAll(const char* format, const std::optional<Values>&... values) {
+  return (values && ...) ? fmt::format(fmt::runtime(format), *values...) : "";
+}
+
+void addMeasurement(Table& table, const RunRecord& record, const PublishedFigures& paper) {
+  if (!record.measurement) {
+    return;
+  }
+  const MeasurementFigures& m = *record.measurement;
+  table.row("longest isolines, u x v",
+            fmt::format("{:.4g} x {:.4g}", m.longestIsolineU, m.longestIsolineV),
+            ifAll("{:.4g} x {:.4g}", paper.longestIsolineU, paper.longestIsolineV));
+  table.row("largest curvature", fmt::format("{:.4g}", m.largestCurvature),
+            ifAll("{:.4g}", paper.largestCurvature));
+  table.row("layer spacing at most", fmt::format("{:.4g}", m.layerSpacingLimit));
+  table.row("fewest nodes", fmt::format("{}", m.fewestNodes));
+}
+
+void addStage(Table& table, const char* name, const std::optional<Equilibrium>& stage) {
+  if (stage) {
+    table.line(fmt::format("  {:<9} {} {} ({}), residual {:.2g}, energy {:.6g}, {:.2f} s", name,
+                           stage->iterations, stage->iterations == 1 ? "iteration" : "iterations",
+                           stage->converged ? "converged"
+                                            : "NOT converged: " + toString(stage->reason),
+                           stage->residual, stage->energy, stage->seconds));
+  }
+}
+
+void addResults(Table& table, const RunRecord& record, const PublishedFigures& paper) {
+  const auto percent = [](double value) { return fmt::format("{:.2f} %", value); };
+  if (record.errors) {
+    table.row("L0 error", percent(record.errors->l0Percent), ifAll("{:.2f} %", paper.l0Percent));
+    table.row("L_b error", percent(record.errors->lbPercent), ifAll("{:.2f} %", paper.lbPercent));
+    table.row("angle error", percent(record.errors->anglePercent),
+              ifAll("{:.2f} %", paper.anglePercent));
+  }
+  if (record.distance) {
+    const TargetDistance& d = *record.distance;
+    table.row("distance, RMS / max", fmt::format("{:.2f} / {:.2f} %", d.rmsPercent, d.maxPercent));
+    table.row("  to closest point",
+              fmt::format("{:.2f} / {:.2f} %", d.closestPointRmsPercent, d.closestPointMaxPercent));
+  }
+  if (record.shrink) {
+    table.row("largest shrink", percent(record.shrink->largestPercent));
+    table.row("struts over the limit", fmt::format("{}", record.shrink->strutsOverLimit));
+  }
+}
+
+}  // namespace
+
+std::string toJson(const RunRecord& record) {
+  const ordered_json json{{"scene", record.scene},
+                          {"title", record.title},
+                          {"method", record.method},
+                          {"scaling", record.scaling},
+                          {"device", record.device},
+                          {"seconds_total", record.secondsTotal},
+                          {"grid", toJson(record.grid)},
+                          {"measurement", orNull(record.measurement)},
+                          {"in_plane", orNull(record.inPlane)},
+                          {"full", orNull(record.full)},
+                          {"errors", orNull(record.errors)},
+                          {"distance_to_target", orNull(record.distance)},
+                          {"shrink", orNull(record.shrink)},
+                          {"notices", record.notices}};
+  return json.dump(2) + "\n";
+}
+
+std::string toConvergenceCsv(const RunRecord& record) {
+  std::string csv = "stage,iteration,energy,residual,seconds\n";
+  appendSamples(csv, "in_plane", record.inPlane);
+  appendSamples(csv, "full", record.full);
+  return csv;
+}
+
+std::string toTable(const RunRecord& record) {
+  Table table(record);
+  const PublishedFigures paper = record.published.value_or(PublishedFigures{});
+  const GridFigures& g = record.grid;
+  addMeasurement(table, record, paper);
+  table.row("nodes, u x v",
+            fmt::format("{} x {}", g.shape.verticesU - 1, g.shape.verticesV - 1),
+            ifAll("{} x {}", paper.nodesU, paper.nodesV));
+  table.row("layers, spacing", fmt::format("{}, {:.4g}", g.shape.layers, g.layerSpacing));
+  table.row("vertices, struts",
+            fmt::format("{}, {}", g.shape.vertexCount(), g.shape.strutCount()));
+  table.row("largest L_b shrink", fmt::format("{:.1f} %", g.bendShrinkPercent),
+            ifAll("{:.1f} %", paper.bendShrinkPercent));
+  addResults(table, record, paper);
+  addStage(table, "in plane:", record.inPlane);
+  addStage(table, "full:", record.full);
+  return table.text();
+}
+
+}  // namespace morphgrid

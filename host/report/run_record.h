@@ -1,0 +1,56 @@
+#pragma once
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "design/grid_design.h"
+#include "grid/strut_grid.h"
+#include "report/figures.h"
+#include "solve/equilibrium.h"
+
+namespace morphgrid {
+
+/// The figures that the paper prints for a scene, shown beside ours; percent values are percent.
+struct PublishedFigures {
+  std::string figure;  ///< e.g. "Fig. 4"
+  std::optional<double> longestIsolineU, longestIsolineV, largestCurvature;
+  std::optional<int> nodesU, nodesV;
+  std::optional<double> bendShrinkPercent, l0Percent, lbPercent, anglePercent;
+};
+
+/// What was measured on the target, in the scene's unit of length.
+struct MeasurementFigures {
+  double longestIsolineU;
+  double longestIsolineV;
+  double largestCurvature;   ///< Before the cutoff.
+  double layerSpacingLimit;  ///< Eq. 21; infinite when nothing bends.
+  int fewestNodes;           ///< Eq. 23
+};
+
+/// The grid that the design chose.
+struct GridFigures {
+  GridShape shape;
+  double layerSpacing;
+  double bendShrinkPercent;  ///< The largest L_b shrink that the design asks for.
+};
+
+/// Everything that a run or a check has to tell; a check has no stages.
+struct RunRecord {
+  std::string scene;
+  std::string title;
+  std::string method;
+  std::string scaling;
+  std::string device;
+  double secondsTotal = 0;
+  GridFigures grid{};
+  std::optional<MeasurementFigures> measurement;  ///< Not for grids given by bend angles.
+  std::optional<Equilibrium> inPlane;
+  std::optional<Equilibrium> full;  ///< Not for grids of one layer.
+  std::optional<StrutErrors> errors;
+  std::optional<TargetDistance> distance;
+  std::optional<ShrinkFigures> shrink;
+  std::optional<PublishedFigures> published;
+  std::vector<std::string> notices;
+};
+
+}  // namespace morphgrid
