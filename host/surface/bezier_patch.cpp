@@ -43,6 +43,9 @@ Vector3d combine(const BezierPatch::ControlPoints& points, const Vector4d& along
 /// Lengths and areas below this share of the patch's size count as vanished.
 constexpr double kDegenerate = 1e-9;
 
+/// Bends by less than this angle over the patch's size are rounding: the isoline is straight.
+constexpr double kFlat = 1e-12;
+
 /// Where a tangent vanishes (collapsed edge, coincident control points) the frame is taken this
 /// share of the way to the centre.
 constexpr double kInward = 1e-3;
@@ -55,8 +58,11 @@ double signedCurvature(const Vector3d& first, const Vector3d& second, const Vect
   if (speed <= kDegenerate * size) {
     return 0;  // The isoline is a point: it has no direction to bend in.
   }
-  const double sign = normal.dot(second) >= 0 ? 1 : -1;
-  return sign * first.cross(second).norm() / (speed * speed * speed);
+  const double curvature = first.cross(second).norm() / (speed * speed * speed);
+  if (curvature * size < kFlat) {
+    return 0;
+  }
+  return normal.dot(second) >= 0 ? curvature : -curvature;
 }
 
 }  // namespace

@@ -1,0 +1,161 @@
+#include "app/command_line.h"
+
+#include <fmt/format.h>
+#include <spdlog/sinks/stdout_color_sinks.h>
+#include <spdlog/spdlog.h>
+
+#include <CLI/CLI.hpp>
+
+#include "app/pipeline.h"
+#include "core/error.h"
+#include "core/interrupt.h"
+#include "report/report_files.h"
+
+namespace morphgrid {
+namespace {
+
+enum ExitCode {
+  kConverged = 0,
+  kBadInput = 2,
+  kNotConverged = 3,
+  kDeviceFailure = 4,
+  kInterrupted = 130,
+};
+
+constexpr const char* kExamples = R"(
+Examples:
+  morphgrid run scenes/egg_chair.toml
+  morphgrid run scenes/iris_petal.toml --out /tmp/petal --set grid.layers=3
+  morphgrid check scenes/patch.toml --set grid.layer_spacing=30
+  morphgrid devices
+
+Exit codes: 0 converged, 2 bad input, 3 not converged (results written),
+            4 device failure, 130 interrupted (results written))";
+
+struct Arguments {
+  std::filesystem::path scene;
+  std::filesystem::path outputFolder;
+  std::vector<std::string> overrides;
+  DeviceOptions device;
+  bool quiet = false;
+};
+
+void logNotices(const RunRecord& record) {
+  for (const std::string& notice : record.notices) {
+    spdlog::warn(notice);
+  }
+}
+
+int check(const Arguments& arguments) {
+  const RunRecord record = checkScene(loadScene(arguments.scene, arguments.overrides));
+  logNotices(record);
+  fmt::print("{}", toTable(record));
+  return kConverged;
+}
+
+int exitCodeOf(const RunRecord& record) {
+  const auto ended = [&](const auto& condition) {
+    return (record.inPlane && condition(*record.inPlane)) ||
+           (record.full && condition(*record.full));
+  };
+  if (ended([](const Equilibrium& e) { return e.reason == StopReason::interrupted; })) {
+    return kInterrupted;
+  }
+  return ended([](const Equilibrium& e) { return !e.converged; }) ? kNotConverged : kConverged;
+}
+
+int run(const Arguments& arguments) {
+  const Scene scene = loadScene(arguments.scene, arguments.overrides);
+  const auto folder = arguments.outputFolder.empty() ? std::filesystem::path("out") / scene.name
+                                                     : arguments.outputFolder;
+  installInterruptHandler();
+  const RunRecord record = runScene(scene, {folder, arguments.device, arguments.quiet});
+  if (!arguments.quiet) {
+    logNotices(record);
+    fmt::print("{}results in {}\n", toTable(record), folder.string());
+  }
+  const int exitCode = exitCodeOf(record);
+  if (exitCode == kNotConverged) {
+    spdlog::warn("not converged; try a higher solver.iteration_limit or a looser solver.tolerance");
+  }
+  return exitCode;
+}
+
+int printDevices() {
+  int index = 0;
+  for (const DeviceSummary& device : listDevices()) {
+    fmt::print("{}  {} ({}, Vulkan {})\n", index++, device.name, device.type, device.apiVersion);
+  }
+  return kConverged;
+}
+
+void addSceneArguments(CLI::App& command, Arguments& arguments) {
+  command.add_option("SCENE", arguments.scene, "scene file, see docs/scene_format.md")->required();
+  command
+      .add_option("--set", arguments.overrides,
+                  "override a key of the scene, e.g. --set grid.layers=4; may be repeated")
+      ->type_name("KEY=VALUE")
+      ->allow_extra_args(false);
+}
+
+int guarded(const std::function<int()>& work) {
+  try {
+    return work();
+  } catch (const InputError& error) {
+    fmt::print(stderr, "{}\n", error.what());
+    return kBadInput;
+  } catch (const DeviceError& error) {
+    fmt::print(stderr, "device failure: {}\n", error.what());
+    return kDeviceFailure;
+  } catch (const vk::SystemError& error) {
+    fmt::print(stderr, "device failure: {}\n", error.what());
+    return kDeviceFailure;
+  } catch (const std::bad_alloc&) {
+    fmt::print(stderr, "the grid does not fit into memory; ask for fewer nodes\n");
+    return kBadInput;
+  }
+}
+
+}  // namespace
+
+int runCommandLine(int argc, char** argv) {
+  spdlog::set_default_logger(spdlog::stderr_color_mt("morphgrid"));
+  spdlog::set_pattern("%^%l%$: %v");
+
+  CLI::App app(
+      "morphgrid designs and simulates multi-tiered 4D-printed grids: how a flat, multi-layer grid of "
+      "struts must shrink to become a curved surface, and how close it comes.",
+      "morphgrid");
+  app.set_version_flag("--version", MORPHGRID_VERSION);
+  app.footer(kExamples);
+  app.require_subcommand(1);
+
+  Arguments arguments;
+  CLI::App* runCommand = app.add_subcommand(
+      "run", "measure, design, simulate; leave report, pictures and files in a folder");
+  addSceneArguments(*runCommand, arguments);
+  runCommand->add_option("--out", arguments.outputFolder, "output folder [out/SCENE]");
+  runCommand->add_option("--device", arguments.device.selection,
+                         "Vulkan device, by index or part of its name [the first that will do]");
+  runCommand->add_flag("--quiet", arguments.quiet, "print errors only");
+  runCommand->add_flag("--validate", arguments.device.validation,
+                       "run under the Vulkan validation layers; any message is a device failure");
+  CLI::App* checkCommand =
+      app.add_subcommand("check", "read, measure and design; print the table, solve nothing");
+  addSceneArguments(*checkCommand, arguments);
+  CLI::App* devicesCommand = app.add_subcommand("devices", "list the Vulkan devices");
+
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? kConverged : kBadInput;
+  }
+  return guarded([&] {
+    if (devicesCommand->parsed()) {
+      return printDevices();
+    }
+    return checkCommand->parsed() ? check(arguments) : run(arguments);
+  });
+}
+
+}  // namespace morphgrid

@@ -1,0 +1,9 @@
+#pragma once
+
+namespace morphgrid {
+
+/// The program: parses the command line, does what it says, returns the exit code.
+/// 0 converged, 2 bad input, 3 not converged (results written), 4 device failure, 130 interrupted.
+int runCommandLine(int argc, char** argv);
+
+}  // namespace morphgrid

@@ -1,0 +1,20 @@
+#pragma once
+#include "app/scene.h"
+
+namespace morphgrid {
+
+/// The inverse design of a scene, and what was measured for it.
+struct SceneDesign {
+  GridDesign design;
+  std::optional<MeasurementFigures> measurement;  ///< Not for grids given by bend angles.
+  std::optional<Eigen::Matrix3Xd> targets;  ///< Of the middle layer's vertices, in index order.
+  std::vector<std::string> notices;         ///< What was clamped or overridden.
+};
+
+/// Measures the surface and designs the grid. Throws InputError when they cannot be had.
+SceneDesign designScene(const Scene& scene);
+
+/// What there is to report before anything is solved.
+RunRecord recordOf(const Scene& scene, const SceneDesign& designed);
+
+}  // namespace morphgrid

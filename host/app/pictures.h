@@ -1,0 +1,35 @@
+#pragma once
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "app/scene.h"
+#include "render/strain_renderer.h"
+
+namespace morphgrid {
+
+/// Draws the panels of a run into its folder, from the solver's buffers.
+class Pictures {
+ public:
+  Pictures(const Device& device, const PictureChoices& choices, std::filesystem::path folder);
+
+  /// A flat stage in its own frame. positions: what the device grid holds, to frame it by.
+  void drawFlat(const std::string& name, const std::string& caption, const DeviceGrid& deviceGrid,
+                const Eigen::Matrix3Xd& positions);
+
+  /// The morphed struts (warped.png), the surface of the middle layer (surface.png) and the target
+  /// (target.png, where there is one), all seen by the same camera.
+  void drawResult(const DeviceGrid& deviceGrid, const Eigen::Matrix3Xd& positions,
+                  const Eigen::Isometry3d& targetFromGrid,
+                  const std::optional<Eigen::Matrix3Xd>& targets);
+
+ private:
+  void write(const std::string& name, const std::string& caption, Image image, bool legend);
+
+  const Device& device_;
+  PictureChoices choices_;
+  std::filesystem::path folder_;
+  StrainRenderer renderer_;
+};
+
+}  // namespace morphgrid

@@ -1,0 +1,78 @@
+#include "app/progress_line.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace morphgrid {
+namespace {
+
+constexpr double kSecondsBetweenRedraws = 0.1;
+constexpr double kSecondsBetweenLines = 5;
+constexpr int kBarWidth = 24;
+
+std::string bar(double share) {
+  const int filled = static_cast<int>(std::lround(std::clamp(share, 0.0, 1.0) * kBarWidth));
+  return std::string(filled, '#') + std::string(kBarWidth - filled, '.');
+}
+
+std::string timeLeft(double seconds) {
+  if (seconds < 0) {
+    return "time left unknown";
+  }
+  return seconds < 90 ? fmt::format("about {:.0f} s left", std::ceil(seconds))
+                      : fmt::format("about {:.0f} min left", std::ceil(seconds / 60));
+}
+
+}  // namespace
+
+double estimateSecondsLeft(const std::vector<ConvergenceSample>& samples, double tolerance) {
+  if (samples.empty()) {
+    return -1;
+  }
+  const ConvergenceSample& now = samples.back();
+  const auto half = std::lower_bound(
+      samples.begin(), samples.end(), now.seconds / 2,
+      [](const ConvergenceSample& sample, double seconds) { return sample.seconds < seconds; });
+  const double fall = std::log(half->residual / now.residual);
+  if (!(fall > 0)) {
+    return -1;
+  }
+  const double rate = fall / (now.seconds - half->seconds);
+  return std::max(0.0, std::log(now.residual / tolerance) / rate);
+}
+
+ProgressLine::ProgressLine(std::string stage, double tolerance)
+    : stage_(std::move(stage)), tolerance_(tolerance), onTerminal_(isatty(STDERR_FILENO) != 0) {}
+
+ProgressLine::~ProgressLine() {
+  if (barDrawn_) {
+    std::fputs("\r\033[K", stderr);
+  }
+}
+
+void ProgressLine::update(const ConvergenceSample& sample) {
+  samples_.push_back(sample);
+  const double pause = onTerminal_ ? kSecondsBetweenRedraws : kSecondsBetweenLines;
+  if (sample.seconds - lastPrinted_ < pause) {
+    return;
+  }
+  lastPrinted_ = sample.seconds;
+  const std::string status =
+      fmt::format("{}: {} iterations, residual {:.1e} of {:.0e}, {}", stage_, sample.iteration,
+                  sample.residual, tolerance_, timeLeft(estimateSecondsLeft(samples_, tolerance_)));
+  if (onTerminal_) {
+    const double span = std::log(samples_.front().residual / tolerance_);
+    const double done = std::log(samples_.front().residual / sample.residual);
+    fmt::print(stderr, "\r\033[K[{}] {}", bar(span > 0 ? done / span : 1), status);
+    std::fflush(stderr);
+    barDrawn_ = true;
+  } else {
+    fmt::print(stderr, "{}\n", status);
+  }
+}
+
+}  // namespace morphgrid

@@ -1,0 +1,122 @@
+#include "design/grid_design.h"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+
+#include "core/error.h"
+
+namespace morphgrid {
+namespace {
+
+using testing::HasSubstr;
+
+SurfaceSurvey survey(double lengthU, double lengthV, double curvature) {
+  return {lengthU, lengthV, curvature, 0, {0, curvature / 2, curvature}};
+}
+
+TEST(ChooseGridSize, GivesTheLongerDirectionTheNodes) {
+  const DesignRequest request{.layers = 3, .layerSpacing = 0.1, .nodesLong = 30};
+  const GridSize wide = chooseGridSize(survey(867.4, 735.1, 0), request);
+  EXPECT_EQ(wide.nodesU, 30);
+  EXPECT_EQ(wide.nodesV, 26);
+  const GridSize tall = chooseGridSize(survey(10, 20, 0), request);
+  EXPECT_EQ(tall.nodesU, 15);
+  EXPECT_EQ(tall.nodesV, 30);
+}
+
+TEST(ChooseGridSize, FlatSurfacesHaveNoLimits) {
+  const DesignRequest request{.layers = 3, .layerSpacing = 1e6, .nodesLong = 1};
+  const GridSize size = chooseGridSize(survey(2, 1, 0), request);
+  EXPECT_EQ(size.layerSpacing, 1e6);
+  EXPECT_TRUE(std::isinf(size.layerSpacingLimit));
+  EXPECT_EQ(size.fewestNodes, 1);
+  EXPECT_EQ(size.nodesU, 1);
+  EXPECT_EQ(size.nodesV, 1);
+  EXPECT_TRUE(size.notices.empty());
+}
+
+TEST(ChooseGridSize, ClampsTheLayerSpacingAndSaysSo) {
+  const DesignRequest request{
+      .layers = 3, .layerSpacing = 1, .nodesLong = 10, .maxShrinkage = 0.4};
+  const GridSize size = chooseGridSize(survey(2, 1, 0.5), request);
+  EXPECT_NEAR(size.layerSpacingLimit, 2 * 0.4 / 2, 1e-15);  // R maxShrinkage / (layers - 1)
+  EXPECT_EQ(size.layerSpacing, size.layerSpacingLimit);
+  ASSERT_EQ(size.notices.size(), 1u);
+  EXPECT_THAT(size.notices[0], HasSubstr("Eq. 21"));
+}
+
+TEST(ChooseGridSize, RaisesTooFewNodesAndSaysSo) {
+  const DesignRequest request{.layers = 1, .layerSpacing = 1, .nodesLong = 2};
+  const GridSize size = chooseGridSize(survey(20, 10, 0.9), request);
+  EXPECT_EQ(size.fewestNodes, 9);  // 20 / (2 / 0.9)
+  EXPECT_EQ(size.nodesU, 9);
+  EXPECT_EQ(size.nodesV, 5);
+  ASSERT_EQ(size.notices.size(), 1u);
+  EXPECT_THAT(size.notices[0], HasSubstr("Eq. 23"));
+}
+
+TEST(ChooseGridSize, CutoffLowersTheCurvatureAndSaysSo) {
+  const DesignRequest request{
+      .layers = 2, .layerSpacing = 0.01, .nodesLong = 10, .curvatureCutoff = 0.5};
+  const GridSize size = chooseGridSize(survey(2, 1, 1), request);
+  EXPECT_EQ(size.curvatureLimit, 0.5);
+  EXPECT_THAT(size.notices, testing::ElementsAre(HasSubstr("cutoff")));
+}
+
+TEST(ChooseGridSize, RefusesCurvatureThatAsksForMillionsOfNodes) {
+  EXPECT_THROW(chooseGridSize(survey(1, 1, 1e9), {.layerSpacing = 1}), InputError);
+}
+
+SurfaceMeasurement uniformMeasurement(double length, double curvature) {
+  SurfaceMeasurement m{2, 3, LateralField<double>(2, 3, length),
+                       LateralField<double>(2, 3, curvature), Eigen::Matrix3Xd::Zero(3, 12)};
+  return m;
+}
+
+TEST(DesignGrid, BendAngleIsThatOfTheChord) {
+  const GridDesign design =
+      designGrid(uniformMeasurement(0.8, -0.5), {.layerSpacing = 0.1}, 3);
+  // A chord of length L on radius R spans 2 asin(L / 2R).
+  EXPECT_NEAR(design.bendAngles.u(1, 2), -2 * std::asin(0.2), 1e-15);
+  EXPECT_EQ(design.spacing, 0.8);
+  EXPECT_TRUE(design.notices.empty());
+}
+
+TEST(DesignGrid, ClampsAStrutLongerThanItsDiameter) {
+  const GridDesign design = designGrid(uniformMeasurement(3, 1), {.layerSpacing = 0.1}, 3);
+  EXPECT_NEAR(design.bendAngles.v(0, 0), std::acos(-1.0), 1e-12);
+  EXPECT_THAT(design.notices, testing::ElementsAre(HasSubstr("Eq. 24")));
+}
+
+TEST(DesignGrid, RefusesStrutsWithoutLength) {
+  SurfaceMeasurement m = uniformMeasurement(1, 0);
+  m.chords.u(1, 0) = 0;
+  EXPECT_THROW(designGrid(m, {.layerSpacing = 0.1}, 3), InputError);
+}
+
+TEST(RestLength, TheConvexSideKeepsItsLength) {
+  const double theta = 0.4;
+  const double step = 2 * 0.1 * std::sin(0.2);
+  EXPECT_EQ(restLength(1, theta, 0.1, 0, 3), 1);
+  EXPECT_NEAR(restLength(1, theta, 0.1, 2, 3), 1 - 2 * step, 1e-15);
+  EXPECT_EQ(restLength(1, -theta, 0.1, 2, 3), 1);
+  EXPECT_NEAR(restLength(1, -theta, 0.1, 0, 3), 1 - 2 * step, 1e-15);
+  EXPECT_EQ(restLength(1, 0, 0.1, 1, 3), 1);
+}
+
+TEST(DesignFromBendAngles, RunsFromTheFirstToTheLastStrut) {
+  const GridDesign design = designFromBendAngles({30, 3, 4, 0.15, 1, 1.0, -1.0, 0, 0});
+  EXPECT_EQ(design.bendAngles.u(0, 0), 1);
+  EXPECT_NEAR(design.bendAngles.u(10, 3), 1 - 20.0 / 29, 1e-15);
+  EXPECT_EQ(design.bendAngles.u(29, 3), -1);
+  EXPECT_EQ(design.bendAngles.v(30, 2), 0);
+  EXPECT_NEAR(largestBendShrink(design), 2 * 0.45 * std::sin(0.5), 1e-15);
+}
+
+TEST(DesignFromBendAngles, RefusesStrutsThatVanish) {
+  EXPECT_THROW(designFromBendAngles({3, 3, 4, 0.5, 1, 1.0, -1.0, 0, 0}), InputError);
+}
+
+}  // namespace
+}  // namespace morphgrid
