@@ -16,10 +16,6 @@ TEST_P(ReferenceAnswers, MinimumEnergyIsReached) {
   options.tolerance = 1e-11;
   const Equilibrium result = solveReference(problem.grid, options);
   EXPECT_NEAR(result.energy / problem.minimumEnergy, 1, 1e-8);
-  std::printf("%s: %ld iterations, %.2f s, residual %.2g, energy off by %.2g, positions %.2g\n",
-              GetParam(), result.iterations, result.seconds, result.residual,
-              result.energy / problem.minimumEnergy - 1,
-              largestAlignedDistance(result.positions, problem.shapeopPositions));
 }
 
 INSTANTIATE_TEST_SUITE_P(ShapeOp, ReferenceAnswers,
