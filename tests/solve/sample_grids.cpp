@@ -1,5 +1,6 @@
 #include "tests/solve/sample_grids.h"
 
+#include <Eigen/Geometry>
 #include <random>
 
 #include "grid/build_grids.h"
@@ -41,6 +42,13 @@ StrutGrid circularStrip(int nodes, int layers, double theta, double layerSpacing
   const Weights weights;
   return stackedGrid(design, weights, Scaling::normalised,
                      inPlaneGrid(design, weights, Scaling::normalised).positions);
+}
+
+double stripRadius(const GridShape& shape, const Eigen::Matrix3Xd& positions) {
+  const auto at = [&](int i) -> Eigen::Vector3d { return positions.col(shape.index(i, 1, 0)); };
+  const Eigen::Vector3d a = at(4) - at(10);
+  const Eigen::Vector3d b = at(16) - at(10);
+  return a.norm() * b.norm() * (a - b).norm() / (2 * a.cross(b).norm());
 }
 
 }  // namespace morphgrid

@@ -13,4 +13,7 @@ Eigen::Matrix3Xd shaken(const Eigen::Matrix3Xd& positions, double amount, unsign
 /// A strip along u whose struts all bend by theta: on a circle at rest.
 StrutGrid circularStrip(int nodes, int layers, double theta, double layerSpacing);
 
+/// Radius of the circle on which the bottom layer of a circularStrip() of 20 nodes lies.
+double stripRadius(const GridShape& shape, const Eigen::Matrix3Xd& positions);
+
 }  // namespace morphgrid
