@@ -1,0 +1,97 @@
+#include "report/report_files.h"
+
+#include <gmock/gmock.h>
+
+#include <limits>
+#include <nlohmann/json.hpp>
+
+namespace morphgrid {
+namespace {
+
+using testing::HasSubstr;
+
+RunRecord sampleRecord() {
+  RunRecord record;
+  record.scene = "sample";
+  record.title = "Sample";
+  record.method = "jacobi";
+  record.scaling = "normalised";
+  record.device = "some device";
+  record.secondsTotal = 1.5;
+  record.grid = {{18, 21, 3}, 0.3, 30.9};
+  record.measurement = {12.02, 14.84, 0.52, std::numeric_limits<double>::infinity(), 4};
+  Equilibrium stage;
+  stage.iterations = 32;
+  stage.converged = true;
+  stage.reason = StopReason::residual;
+  stage.residual = 1e-10;
+  stage.energy = 0.1 + 0.2;
+  stage.history = {{16, 2.5, 1e-3, 0.25}, {32, stage.energy, 1e-10, 0.5}};
+  record.inPlane = stage;
+  record.full = stage;
+  record.errors = {1, 2, 3};
+  record.distance = {4, 5, 6, 7};
+  record.shrink = {31, 0};
+  return record;
+}
+
+TEST(ReportJson, HoldsAllKeysAndRoundTrips) {
+  const auto json = nlohmann::json::parse(toJson(sampleRecord()));
+  for (const char* key : {"scene", "method", "scaling", "device", "seconds_total", "grid",
+                          "measurement", "in_plane", "full", "errors", "distance_to_target",
+                          "shrink"}) {
+    EXPECT_TRUE(json.contains(key)) << key;
+  }
+  EXPECT_EQ(json["grid"]["nodes_u"], 17);
+  EXPECT_EQ(json["grid"]["nodes_v"], 20);
+  EXPECT_EQ(json["grid"]["vertices"], 1134);
+  EXPECT_EQ(json["grid"]["layer_spacing"], 0.3);
+  EXPECT_EQ(json["measurement"]["fewest_nodes"], 4);
+  EXPECT_TRUE(json["measurement"]["layer_spacing_limit"].is_null());
+  EXPECT_EQ(json["full"]["energy"].get<double>(), 0.1 + 0.2);
+  EXPECT_EQ(json["full"]["reason"], "residual");
+  EXPECT_EQ(json["full"]["converged"], true);
+  EXPECT_EQ(json["distance_to_target"]["closest_point_max_percent"], 7);
+  EXPECT_EQ(json["shrink"]["struts_over_limit"], 0);
+}
+
+TEST(ReportJson, WhatARunDoesNotHaveIsNull) {
+  RunRecord record = sampleRecord();
+  record.measurement.reset();
+  record.full.reset();
+  record.distance.reset();
+  const auto json = nlohmann::json::parse(toJson(record));
+  EXPECT_TRUE(json["measurement"].is_null());
+  EXPECT_TRUE(json["full"].is_null());
+  EXPECT_TRUE(json["distance_to_target"].is_null());
+}
+
+TEST(ConvergenceCsv, HasALinePerSample) {
+  EXPECT_EQ(toConvergenceCsv(sampleRecord()),
+            "stage,iteration,energy,residual,seconds\n"
+            "in_plane,16,2.5,0.001,0.25\n"
+            "in_plane,32,0.30000000000000004,1e-10,0.5\n"
+            "full,16,2.5,0.001,0.25\n"
+            "full,32,0.30000000000000004,1e-10,0.5\n");
+}
+
+TEST(ReportTable, ShowsThePaperBesideOursWhereItHasFigures) {
+  RunRecord record = sampleRecord();
+  EXPECT_THAT(toTable(record), testing::Not(HasSubstr("paper")));
+  PublishedFigures paper;
+  paper.figure = "Fig. 4";
+  paper.anglePercent = 7.55;
+  record.published = paper;
+  EXPECT_THAT(toTable(record), HasSubstr("paper Fig. 4"));
+  EXPECT_THAT(toTable(record), HasSubstr("7.55 %"));
+}
+
+TEST(ReportTable, SaysWhyARunDidNotConverge) {
+  RunRecord record = sampleRecord();
+  record.full->converged = false;
+  record.full->reason = StopReason::iterationLimit;
+  EXPECT_THAT(toTable(record), HasSubstr("NOT converged: iteration limit"));
+}
+
+}  // namespace
+}  // namespace morphgrid
