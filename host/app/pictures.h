@@ -4,6 +4,7 @@
 #include <string>
 
 #include "app/scene.h"
+#include "render/picture.h"
 #include "render/strain_renderer.h"
 
 namespace morphgrid {
@@ -24,10 +25,12 @@ class Pictures {
                   const std::optional<Eigen::Matrix3Xd>& targets);
 
  private:
-  void write(const std::string& name, const std::string& caption, Image image, bool legend);
+  Camera frame(const Eigen::Matrix3Xd& points) const;
+  void write(const std::string& name, const std::string& caption, const Image& scene,
+             bool legend) const;
 
   const Device& device_;
-  PictureChoices choices_;
+  PictureOptions options_;
   std::filesystem::path folder_;
   StrainRenderer renderer_;
 };

@@ -1,0 +1,25 @@
+#include "app/progress_line.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace morphgrid {
+namespace {
+
+TEST(EstimateSecondsLeft, ExtendsTheFallOfTheResidual) {
+  std::vector<ConvergenceSample> samples;
+  for (int n = 1; n <= 10; ++n) {
+    samples.push_back({n, 1.0, std::pow(10.0, -n), double(n)});  // A decade a second.
+  }
+  EXPECT_NEAR(estimateSecondsLeft(samples, 1e-13), 3, 1e-9);
+  EXPECT_EQ(estimateSecondsLeft(samples, 1e-5), 0);
+}
+
+TEST(EstimateSecondsLeft, IsUnknownWhereNothingFalls) {
+  EXPECT_LT(estimateSecondsLeft({}, 1e-9), 0);
+  EXPECT_LT(estimateSecondsLeft({{1, 1.0, 0.5, 1}, {2, 1.0, 0.5, 2}}, 1e-9), 0);
+}
+
+}  // namespace
+}  // namespace morphgrid

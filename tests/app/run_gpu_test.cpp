@@ -1,0 +1,168 @@
+// The program as a user runs it, under the validation layers.
+#include <gmock/gmock.h>
+
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "tests/app/subprocess.h"
+#include "tests/support/temporary_folder.h"
+
+namespace morphgrid {
+namespace {
+
+using testing::HasSubstr;
+
+class Run : public testing::Test {
+ protected:
+  static std::string sceneFile(const std::string& name) {
+    return std::string(MORPHGRID_SOURCE_DIR) + "/scenes/" + name + ".toml";
+  }
+  std::string out() const { return (folder_.path() / "result").string(); }
+  nlohmann::json report() const {
+    std::ifstream stream(out() + "/report.json");
+    return nlohmann::json::parse(stream);
+  }
+  bool exists(const std::string& name) const {
+    return std::filesystem::exists(out() + "/" + name);
+  }
+
+  TemporaryFolder folder_;
+};
+
+TEST_F(Run, LeavesReportPicturesAndFiles) {
+  const ProcessResult run =
+      runMorphgrid({"run", sceneFile("egg_chair"), "--out", out(), "--validate", "--set",
+                    "grid.nodes_long=8", "--set", "output.width=320", "--set", "output.height=240"});
+  EXPECT_EQ(run.exitCode, 0) << run.output;
+  EXPECT_THAT(run.output, HasSubstr("paper Fig. 4"));
+  for (const char* file :
+       {"report.json", "convergence.csv", "initial.png", "in_plane.png", "stacked.png",
+        "warped.png", "surface.png", "target.png", "warped.glb", "warped.vtu", "surface.ply",
+        "surface.obj"}) {
+    EXPECT_TRUE(exists(file)) << file;
+  }
+  const auto json = report();
+  EXPECT_EQ(json["scene"], "egg_chair");
+  EXPECT_EQ(json["full"]["converged"], true);
+  EXPECT_EQ(json["full"]["reason"], "residual");
+  EXPECT_LE(json["full"]["residual"].get<double>(), 1e-9);
+  EXPECT_GT(json["distance_to_target"]["rms_percent"].get<double>(), 0);
+  EXPECT_LE(json["distance_to_target"]["closest_point_rms_percent"].get<double>(),
+            json["distance_to_target"]["rms_percent"].get<double>());
+}
+
+TEST_F(Run, DeviceAgreesWithTheReferenceMethod) {
+  const std::vector<std::string> common{"run", sceneFile("egg_chair"), "--quiet", "--set",
+                                        "grid.nodes_long=8", "--set", "output.pictures=false"};
+  std::vector<std::string> jacobi = common;
+  jacobi.insert(jacobi.end(), {"--out", out()});
+  ASSERT_EQ(runMorphgrid(jacobi).exitCode, 0);
+  const auto onDevice = report();
+  std::vector<std::string> reference = common;
+  reference.insert(reference.end(), {"--out", out(), "--set", "solver.method=reference"});
+  // The reference method without pictures needs no device.
+  ASSERT_EQ(runMorphgrid(reference, {"VK_ICD_FILENAMES=/nonexistent"}).exitCode, 0);
+  const auto onHost = report();
+  EXPECT_NEAR(onDevice["full"]["energy"].get<double>() / onHost["full"]["energy"].get<double>(), 1,
+              1e-5);
+  EXPECT_NEAR(onDevice["distance_to_target"]["rms_percent"].get<double>(),
+              onHost["distance_to_target"]["rms_percent"].get<double>(), 1e-2);
+}
+
+TEST_F(Run, StripHasNoTargetAndSaysSo) {
+  const ProcessResult run = runMorphgrid(
+      {"run", sceneFile("strip"), "--out", out(), "--validate", "--set", "grid.nodes_u=10", "--set",
+       "output.width=320", "--set", "output.height=240"});
+  EXPECT_EQ(run.exitCode, 0) << run.output;
+  EXPECT_TRUE(report()["distance_to_target"].is_null());
+  EXPECT_TRUE(report()["measurement"].is_null());
+  EXPECT_TRUE(exists("warped.png"));
+  EXPECT_FALSE(exists("target.png"));
+}
+
+TEST_F(Run, OneLayerStopsAfterTheInPlaneStage) {
+  const ProcessResult run = runMorphgrid(
+      {"run", sceneFile("patch"), "--out", out(), "--validate", "--set", "grid.layers=1", "--set",
+       "grid.nodes_long=6", "--set", "output.width=320", "--set", "output.height=240"});
+  EXPECT_EQ(run.exitCode, 0) << run.output;
+  EXPECT_TRUE(report()["full"].is_null());
+  EXPECT_TRUE(exists("surface.png"));
+}
+
+TEST_F(Run, NotConvergedWritesItsResultsAndExitsWith3) {
+  const ProcessResult run = runMorphgrid(
+      {"run", sceneFile("egg_chair"), "--out", out(), "--set", "solver.iteration_limit=64", "--set",
+       "output.width=320", "--set", "output.height=240"});
+  EXPECT_EQ(run.exitCode, 3);
+  EXPECT_THAT(run.output, HasSubstr("NOT converged: iteration limit"));
+  EXPECT_EQ(report()["full"]["converged"], false);
+  EXPECT_TRUE(exists("warped.png"));
+}
+
+TEST_F(Run, CtrlCStopsCleanlyAndWritesItsResults) {
+  const ProcessResult run = runMorphgrid(
+      {"run", sceneFile("egg_chair"), "--out", out(), "--set", "grid.nodes_long=80", "--set",
+       "solver.tolerance=1e-15", "--set", "output.width=320", "--set", "output.height=240"},
+      {}, 3);
+  EXPECT_EQ(run.exitCode, 130) << run.output;
+  const auto json = report();
+  EXPECT_TRUE(json["in_plane"]["reason"] == "interrupted" || json["full"]["reason"] == "interrupted");
+  EXPECT_TRUE(exists("warped.vtu"));
+}
+
+TEST_F(Run, ClampsAreTold) {
+  const ProcessResult run =
+      runMorphgrid({"check", sceneFile("egg_chair"), "--set", "grid.layer_spacing=2", "--set",
+                    "grid.nodes_long=2"});
+  EXPECT_EQ(run.exitCode, 0);
+  EXPECT_THAT(run.output, HasSubstr("Eq. 21"));
+  EXPECT_THAT(run.output, HasSubstr("Eq. 23"));
+}
+
+TEST_F(Run, BadInputExitsWith2AndLeavesNothing) {
+  const ProcessResult run =
+      runMorphgrid({"run", sceneFile("egg_chair"), "--out", out(), "--set", "grid.layers=0"});
+  EXPECT_EQ(run.exitCode, 2);
+  EXPECT_THAT(run.output, HasSubstr("grid.layers"));
+  EXPECT_FALSE(std::filesystem::exists(out()));
+  EXPECT_EQ(runMorphgrid({"run", "no_such_scene.toml"}).exitCode, 2);
+  EXPECT_EQ(runMorphgrid({"dance"}).exitCode, 2);
+  EXPECT_EQ(runMorphgrid({}).exitCode, 2);
+}
+
+TEST_F(Run, UnwritableFolderIsBadInput) {
+  const ProcessResult run =
+      runMorphgrid({"run", sceneFile("egg_chair"), "--out", "/proc/morphgrid"});
+  EXPECT_EQ(run.exitCode, 2);
+  EXPECT_THAT(run.output, HasSubstr("/proc/morphgrid"));
+}
+
+TEST_F(Run, NoDeviceSaysHowToGetOne) {
+  const ProcessResult run = runMorphgrid({"devices"}, {"VK_ICD_FILENAMES=/nonexistent"});
+  EXPECT_EQ(run.exitCode, 4);
+  EXPECT_THAT(run.output, HasSubstr("mesa-vulkan-drivers"));
+}
+
+TEST_F(Run, DeviceIsChosenByNameOrIndex) {
+  const ProcessResult wrong =
+      runMorphgrid({"run", sceneFile("egg_chair"), "--out", out(), "--device", "no such device"});
+  EXPECT_EQ(wrong.exitCode, 4);
+  EXPECT_THAT(wrong.output, HasSubstr("morphgrid devices"));
+  const ProcessResult byIndex =
+      runMorphgrid({"run", sceneFile("egg_chair"), "--out", out(), "--device", "0", "--quiet",
+                    "--set", "grid.nodes_long=4", "--set", "output.pictures=false"});
+  EXPECT_EQ(byIndex.exitCode, 0) << byIndex.output;
+  EXPECT_EQ(byIndex.output, "");
+}
+
+TEST_F(Run, HelpAndVersion) {
+  const ProcessResult help = runMorphgrid({"--help"});
+  EXPECT_EQ(help.exitCode, 0);
+  EXPECT_THAT(help.output, HasSubstr("Examples:"));
+  EXPECT_EQ(runMorphgrid({"--version"}).exitCode, 0);
+  EXPECT_THAT(runMorphgrid({"run", "--help"}).output, HasSubstr("--set"));
+}
+
+}  // namespace
+}  // namespace morphgrid
