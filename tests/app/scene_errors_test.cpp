@@ -34,8 +34,6 @@ TEST(SceneErrors, KeysOfAnotherKind) {
             "\"bend_angles\"\n"
             "scene.toml:6:14: grid.nodes_long belongs to surfaces of kind \"bezier\", this one is "
             "\"bend_angles\"\n"
-            "scene.toml:7:17: grid.max_shrinkage belongs to surfaces of kind \"bezier\", this one "
-            "is \"bend_angles\"\n"
             "scene.toml:8:20: grid.curvature_cutoff belongs to surfaces of kind \"bezier\", this "
             "one is \"bend_angles\"");
 }

@@ -74,7 +74,7 @@ TEST(Overrides, BadOnesAreReportedAsGiven) {
        "such file or directory"},
       {"grid.nodes_long=2000000000",
        "--set grid.nodes_long=2000000000: grid.nodes_long asks for too large a grid: at most "
-       "2147483647 vertices are possible, got 1.2e+10"},
+       "715827882 vertices are possible, got 1.2e+10"},
       {"grid.layers", "--set grid.layers: must be key=value on one line, e.g. grid.layers=4"},
       {"", "--set : must be key=value on one line, e.g. grid.layers=4"},
       {"grid.layers=", "--set grid.layers=: must be key=value on one line, e.g. grid.layers=4"},

@@ -29,7 +29,7 @@ TEST(SceneValues, GridOfAPatch) {
            "scene.toml:6:14: grid.nodes_long must be an integer >= 1 and <= 2147483647, got "
            "2147483648"},
           {"nodes_long = 400000000",
-           "scene.toml:6:14: grid.nodes_long asks for too large a grid: at most 2147483647 "
+           "scene.toml:6:14: grid.nodes_long asks for too large a grid: at most 715827882 "
            "vertices are possible, got 2.4e+09"},
           {"max_shrinkage = 0",
            "scene.toml:6:17: grid.max_shrinkage must be a number > 0 and < 1, got 0"},
@@ -118,10 +118,10 @@ TEST(SceneValues, TooManyVertices) {
   const std::string start = "[surface]\nkind = \"bend_angles\"\n[grid]\nlayer_spacing = 1\n";
   EXPECT_EQ(SceneFiles(start + "layers = 1\nnodes_u = 46339\nnodes_v = 46339\n").problems(), "");
   EXPECT_EQ(SceneFiles(start + "layers = 1\nnodes_u = 46340\nnodes_v = 46340\n").problems(),
-            "scene.toml:6:11: grid.nodes_u asks for too large a grid: at most 2147483647 vertices "
+            "scene.toml:6:11: grid.nodes_u asks for too large a grid: at most 715827882 vertices "
             "are possible, got 2.147e+09");
   EXPECT_EQ(SceneFiles(start + "nodes_u = 1\nnodes_v = 2147483647\n").problems(),
-            "scene.toml:6:11: grid.nodes_v asks for too large a grid: at most 2147483647 vertices "
+            "scene.toml:6:11: grid.nodes_v asks for too large a grid: at most 715827882 vertices "
             "are possible, got 1.288e+10");
 }
 
