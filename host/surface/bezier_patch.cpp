@@ -122,24 +122,28 @@ Vector3d BezierPatch::normal(double u, double v) const {
   return Vector3d::UnitZ();
 }
 
-double BezierPatch::curvatureAlongU(double u, double v) const {
-  Vector3d first = combine(controlPoints_, bernsteinFirst(u), bernstein(v));
-  if (first.norm() <= kDegenerate * size_) {
-    u = inward(u);
-    first = combine(controlPoints_, bernsteinFirst(u), bernstein(v));
+/// derivative(basis, t): of the isoline, with `basis` along it at t. t: where on it the point lies.
+template <typename Derivative>
+double BezierPatch::isolineCurvature(Derivative derivative, double t, const Vector3d& normal) const {
+  if (derivative(bernsteinFirst, t).norm() <= kDegenerate * size_) {
+    t = inward(t);
   }
-  return signedCurvature(first, combine(controlPoints_, bernsteinSecond(u), bernstein(v)),
-                         normal(u, v), size_);
+  return signedCurvature(derivative(bernsteinFirst, t), derivative(bernsteinSecond, t), normal,
+                         size_);
+}
+
+double BezierPatch::curvatureAlongU(double u, double v) const {
+  const auto derivative = [&](auto basis, double t) {
+    return combine(controlPoints_, basis(t), bernstein(v));
+  };
+  return isolineCurvature(derivative, u, normal(u, v));
 }
 
 double BezierPatch::curvatureAlongV(double u, double v) const {
-  Vector3d first = combine(controlPoints_, bernstein(u), bernsteinFirst(v));
-  if (first.norm() <= kDegenerate * size_) {
-    v = inward(v);
-    first = combine(controlPoints_, bernstein(u), bernsteinFirst(v));
-  }
-  return signedCurvature(first, combine(controlPoints_, bernstein(u), bernsteinSecond(v)),
-                         normal(u, v), size_);
+  const auto derivative = [&](auto basis, double t) {
+    return combine(controlPoints_, bernstein(u), basis(t));
+  };
+  return isolineCurvature(derivative, v, normal(u, v));
 }
 
 }  // namespace morphgrid

@@ -22,6 +22,9 @@ class BezierPatch : public Surface {
   const ControlPoints& controlPoints() const { return controlPoints_; }
 
  private:
+  template <typename Derivative>
+  double isolineCurvature(Derivative derivative, double t, const Eigen::Vector3d& normal) const;
+
   ControlPoints controlPoints_;
   double size_;  ///< Diagonal of the control points' box, > 0.
 };
