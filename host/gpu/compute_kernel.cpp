@@ -7,15 +7,6 @@
 namespace morphgrid {
 namespace {
 
-vk::raii::DescriptorSetLayout createSetLayout(const Device& device,
-                                              const std::vector<KernelResource>& resources) {
-  std::vector<vk::DescriptorSetLayoutBinding> bindings;
-  for (const KernelResource& resource : resources) {
-    bindings.emplace_back(resource.binding, resource.type(), 1, vk::ShaderStageFlagBits::eCompute);
-  }
-  return {device.handle(), vk::DescriptorSetLayoutCreateInfo({}, bindings)};
-}
-
 vk::raii::Pipeline createPipeline(const Device& device, std::span<const std::uint32_t> spirv,
                                   vk::PipelineLayout layout,
                                   const std::vector<std::uint32_t>& specialization) {
@@ -34,57 +25,23 @@ vk::raii::Pipeline createPipeline(const Device& device, std::span<const std::uin
   return {device.handle(), nullptr, vk::ComputePipelineCreateInfo({}, stage, layout)};
 }
 
-vk::raii::DescriptorPool createPool(const Device& device,
-                                    const std::vector<KernelResource>& resources) {
-  std::vector<vk::DescriptorPoolSize> sizes;
-  for (const KernelResource& resource : resources) {
-    sizes.emplace_back(resource.type(), 1);
-  }
-  return {device.handle(), vk::DescriptorPoolCreateInfo(
-                               vk::DescriptorPoolCreateFlagBits::eFreeDescriptorSet, 1, sizes)};
-}
-
-void writeDescriptor(const Device& device, vk::DescriptorSet set, const KernelResource& resource) {
-  vk::WriteDescriptorSet write(set, resource.binding, 0, 1, resource.type());
-  if (const auto* buffer = std::get_if<const Buffer*>(&resource.resource)) {
-    const vk::DescriptorBufferInfo info((*buffer)->handle(), 0, VK_WHOLE_SIZE);
-    write.pBufferInfo = &info;
-    device.handle().updateDescriptorSets(write, {});
-  } else {
-    const vk::BufferView view = std::get<const TexelView*>(resource.resource)->handle();
-    write.pTexelBufferView = &view;
-    device.handle().updateDescriptorSets(write, {});
-  }
-}
-
 }  // namespace
-
-vk::DescriptorType KernelResource::type() const {
-  return std::holds_alternative<const Buffer*>(resource) ? vk::DescriptorType::eStorageBuffer
-                                                         : vk::DescriptorType::eUniformTexelBuffer;
-}
 
 ComputeKernel::ComputeKernel(const Device& device, std::span<const std::uint32_t> spirv,
                              const std::vector<KernelResource>& resources,
                              std::uint32_t pushConstantBytes,
                              const std::vector<std::uint32_t>& specialization) {
   try {
-    setLayout_ = createSetLayout(device, resources);
+    setLayout_ = createSetLayout(device, slotsOf(resources), vk::ShaderStageFlagBits::eCompute);
     const vk::PushConstantRange push(vk::ShaderStageFlagBits::eCompute, 0, pushConstantBytes);
     layout_ = vk::raii::PipelineLayout(
         device.handle(),
         vk::PipelineLayoutCreateInfo({}, 1, &*setLayout_, pushConstantBytes > 0 ? 1 : 0, &push));
     pipeline_ = createPipeline(device, spirv, *layout_, specialization);
-    pool_ = createPool(device, resources);
-    set_ = std::move(vk::raii::DescriptorSets(device.handle(),
-                                              vk::DescriptorSetAllocateInfo(*pool_, *setLayout_))
-                         .front());
+    resources_.emplace(device, *setLayout_, resources);
   } catch (const vk::SystemError& error) {
     throw DeviceError(
         fmt::format("device {} cannot build a compute kernel: {}", device.name(), error.what()));
-  }
-  for (const KernelResource& resource : resources) {
-    writeDescriptor(device, *set_, resource);
   }
 }
 

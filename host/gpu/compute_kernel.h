@@ -1,19 +1,10 @@
 #pragma once
+#include <optional>
 #include <span>
-#include <variant>
-#include <vector>
 
-#include "gpu/buffer.h"
+#include "gpu/resource_set.h"
 
 namespace morphgrid {
-
-/// What a kernel reads or writes at a binding number: a storage buffer or a view of texels.
-struct KernelResource {
-  std::uint32_t binding;
-  std::variant<const Buffer*, const TexelView*> resource;
-
-  vk::DescriptorType type() const;
-};
 
 /// A compute shader with its resources bound: ready to be dispatched.
 /// The resources must outlive it.
@@ -27,14 +18,13 @@ class ComputeKernel {
 
   vk::Pipeline pipeline() const { return *pipeline_; }
   vk::PipelineLayout layout() const { return *layout_; }
-  vk::DescriptorSet descriptorSet() const { return *set_; }
+  vk::DescriptorSet descriptorSet() const { return resources_->handle(); }
 
  private:
   vk::raii::DescriptorSetLayout setLayout_ = nullptr;
   vk::raii::PipelineLayout layout_ = nullptr;
   vk::raii::Pipeline pipeline_ = nullptr;
-  vk::raii::DescriptorPool pool_ = nullptr;
-  vk::raii::DescriptorSet set_ = nullptr;
+  std::optional<ResourceSet> resources_;
 };
 
 }  // namespace morphgrid

@@ -1,0 +1,42 @@
+#pragma once
+#include <variant>
+#include <vector>
+
+#include "gpu/buffer.h"
+
+namespace morphgrid {
+
+/// What a shader reads or writes at a binding number: a storage buffer or a view of texels.
+struct KernelResource {
+  std::uint32_t binding;
+  std::variant<const Buffer*, const TexelView*> resource;
+
+  vk::DescriptorType type() const;
+};
+
+/// A binding number and what kind of resource goes there.
+struct ResourceSlot {
+  std::uint32_t binding;
+  vk::DescriptorType type;
+};
+
+std::vector<ResourceSlot> slotsOf(const std::vector<KernelResource>& resources);
+
+vk::raii::DescriptorSetLayout createSetLayout(const Device& device,
+                                              const std::vector<ResourceSlot>& slots,
+                                              vk::ShaderStageFlags stages);
+
+/// Resources bound together. They must outlive it.
+class ResourceSet {
+ public:
+  ResourceSet(const Device& device, vk::DescriptorSetLayout layout,
+              const std::vector<KernelResource>& resources);
+
+  vk::DescriptorSet handle() const { return *set_; }
+
+ private:
+  vk::raii::DescriptorPool pool_;
+  vk::raii::DescriptorSet set_;
+};
+
+}  // namespace morphgrid
