@@ -1,0 +1,74 @@
+#include "gpu/graphics_pipeline.h"
+
+#include <fmt/format.h>
+
+#include <array>
+
+#include "core/error.h"
+
+namespace morphgrid {
+namespace {
+
+vk::raii::ShaderModule createModule(const Device& device, std::span<const std::uint32_t> spirv) {
+  return {device.handle(), vk::ShaderModuleCreateInfo({}, spirv.size_bytes(), spirv.data())};
+}
+
+vk::PipelineColorBlendAttachmentState opaque() {
+  using Component = vk::ColorComponentFlagBits;
+  vk::PipelineColorBlendAttachmentState state;
+  state.colorWriteMask = Component::eR | Component::eG | Component::eB | Component::eA;
+  return state;
+}
+
+vk::raii::Pipeline createPipeline(const Device& device, const ShaderPair& shaders,
+                                  vk::PipelineLayout layout, vk::RenderPass renderPass,
+                                  vk::SampleCountFlagBits samples) {
+  using Stage = vk::ShaderStageFlagBits;
+  const vk::raii::ShaderModule vertex = createModule(device, shaders.vertexSpirv);
+  const vk::raii::ShaderModule fragment = createModule(device, shaders.fragmentSpirv);
+  const std::array stages = {
+      vk::PipelineShaderStageCreateInfo({}, Stage::eVertex, *vertex, "main"),
+      vk::PipelineShaderStageCreateInfo({}, Stage::eFragment, *fragment, "main")};
+  const vk::PipelineVertexInputStateCreateInfo vertexInput;
+  const vk::PipelineInputAssemblyStateCreateInfo assembly({}, vk::PrimitiveTopology::eTriangleList);
+  const vk::PipelineViewportStateCreateInfo viewport({}, 1, nullptr, 1, nullptr);
+  vk::PipelineRasterizationStateCreateInfo rasterization;
+  rasterization.lineWidth = 1;  // Validation wants it even without lines.
+  const vk::PipelineMultisampleStateCreateInfo multisample({}, samples);
+  const vk::PipelineDepthStencilStateCreateInfo depth({}, VK_TRUE, VK_TRUE, vk::CompareOp::eLess);
+  const auto attachment = opaque();
+  const vk::PipelineColorBlendStateCreateInfo blend({}, VK_FALSE, vk::LogicOp::eCopy, attachment);
+  const std::array dynamic = {vk::DynamicState::eViewport, vk::DynamicState::eScissor};
+  const vk::PipelineDynamicStateCreateInfo dynamicState({}, dynamic);
+  return {device.handle(), nullptr,
+          vk::GraphicsPipelineCreateInfo({}, stages, &vertexInput, &assembly, nullptr, &viewport,
+                                         &rasterization, &multisample, &depth, &blend,
+                                         &dynamicState, layout, renderPass)};
+}
+
+}  // namespace
+
+GraphicsPipeline::GraphicsPipeline(const Device& device, const ShaderPair& shaders,
+                                   const std::vector<ResourceSlot>& slots,
+                                   std::uint32_t pushConstantBytes, vk::RenderPass renderPass,
+                                   vk::SampleCountFlagBits samples) {
+  try {
+    setLayout_ = createSetLayout(device, slots, vk::ShaderStageFlagBits::eVertex);
+    const vk::PushConstantRange push(kPushStages, 0, pushConstantBytes);
+    layout_ = vk::raii::PipelineLayout(device.handle(),
+                                       vk::PipelineLayoutCreateInfo({}, *setLayout_, push));
+    pipeline_ = createPipeline(device, shaders, *layout_, renderPass, samples);
+  } catch (const vk::SystemError& error) {
+    throw DeviceError(
+        fmt::format("device {} cannot build a graphics pipeline: {}", device.name(), error.what()));
+  }
+}
+
+void GraphicsPipeline::bind(const vk::raii::CommandBuffer& commands,
+                            const ResourceSet& resources) const {
+  commands.bindPipeline(vk::PipelineBindPoint::eGraphics, *pipeline_);
+  commands.bindDescriptorSets(vk::PipelineBindPoint::eGraphics, *layout_, 0, resources.handle(),
+                              {});
+}
+
+}  // namespace morphgrid

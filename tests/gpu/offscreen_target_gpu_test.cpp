@@ -1,0 +1,43 @@
+#include "gpu/offscreen_target.h"
+
+#include <gmock/gmock.h>
+
+#include "core/error.h"
+#include "tests/support/validated_device.h"
+
+namespace morphgrid {
+namespace {
+
+class OffscreenTargets : public DeviceTest, public testing::WithParamInterface<std::uint32_t> {};
+INSTANTIATE_TEST_SUITE_P(Samples, OffscreenTargets, testing::Values(1, 4));
+
+TEST_P(OffscreenTargets, WithNothingDrawnAreWhite) {
+  OffscreenTarget target(device_, 37, 21, GetParam());
+  for (int picture = 0; picture < 2; ++picture) {
+    const auto bytes = target.render([](const auto&) {});
+    ASSERT_EQ(bytes.size(), 4U * 37 * 21);
+    EXPECT_THAT(bytes, testing::Each(255));
+  }
+}
+
+TEST_P(OffscreenTargets, OfTooManyPixelsAreRefused) {
+  const std::uint32_t width = 2 * device_.limits().maxImageDimension2D + 7;
+  try {
+    const OffscreenTarget target(device_, width, 10, GetParam());
+    FAIL() << "no error";
+  } catch (const DeviceError& error) {
+    EXPECT_THAT(error.what(), testing::HasSubstr(std::to_string(width) + " x 10"));
+  }
+}
+
+TEST_F(DeviceTest, OffscreenTargetTakesTheSamplesThatTheDeviceHas) {
+  const auto counts =
+      device_.limits().framebufferColorSampleCounts & device_.limits().framebufferDepthSampleCounts;
+  const bool four = static_cast<bool>(counts & vk::SampleCountFlagBits::e4);
+  EXPECT_EQ(OffscreenTarget(device_, 8, 8, 4).samples(),
+            four ? vk::SampleCountFlagBits::e4 : vk::SampleCountFlagBits::e1);
+  EXPECT_EQ(OffscreenTarget(device_, 8, 8, 1).samples(), vk::SampleCountFlagBits::e1);
+}
+
+}  // namespace
+}  // namespace morphgrid
