@@ -1,0 +1,158 @@
+#include "render/picture.h"
+
+#include <fmt/format.h>
+#include <stb/stb_image_write.h>
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <string_view>
+
+#include "core/atomic_file.h"
+#include "core/error.h"
+#include "render/font.h"
+#include "shared/strain_color.h"
+
+namespace morphgrid {
+namespace {
+
+constexpr Color kInk = {45, 50, 60};
+constexpr std::string_view kEllipsis = "…";
+constexpr std::string_view kLegendTitle = "strain";
+constexpr double kSmallestLetters = 9;  // Pixels.
+constexpr double kLettersPerSide = 44;  // Of the picture.
+
+/// Where things stand below the scene, in pixels; all follows from the size of the letters.
+struct Footer {
+  double letters;
+  int height;
+  int margin;    ///< Left and right.
+  int baseline;  ///< Of the caption and of the legend's title.
+  int barLeft, barTop, barWidth, barHeight;
+};
+
+Footer layOutFooter(const PictureOptions& options) {
+  const double side = std::min(0.75 * options.width, 1.0 * options.height);
+  const double letters = std::max(kSmallestLetters, std::round(side / kLettersPerSide));
+  const auto inLetters = [&](double count) {
+    return static_cast<int>(std::lround(count * letters));
+  };
+  Footer footer{};
+  footer.letters = letters;
+  footer.height = inLetters(3.4);
+  footer.margin = inLetters(1.2);
+  footer.barWidth = std::min(inLetters(14), options.width / 3);
+  footer.barHeight = inLetters(0.75);
+  // The label at its end is centred there, and needs room.
+  footer.barLeft = options.width - 2 * footer.margin - footer.barWidth;
+  footer.barTop = options.height - footer.height + inLetters(0.35);
+  footer.baseline = footer.barTop + inLetters(0.7);
+  return footer;
+}
+
+void fillColumn(Image& image, int x, int top, int bottom, const Color& color) {
+  for (int y = top; y < bottom; ++y) {
+    std::copy(color.begin(), color.end(),
+              &image.rgba[4 * (static_cast<std::size_t>(y) * image.width + x)]);
+  }
+}
+
+Color barColor(double share) {
+  const auto strain = static_cast<float>((2 * share - 1) * kFullColorStrain);
+  const vec3 color = strainColor(strain);
+  const auto byte = [](float value) { return static_cast<std::uint8_t>(std::lround(255 * value)); };
+  return {byte(color.r), byte(color.g), byte(color.b)};
+}
+
+void drawBar(Image& image, const Footer& footer) {
+  for (int x = 0; x < footer.barWidth; ++x) {
+    fillColumn(image, footer.barLeft + x, footer.barTop, footer.barTop + footer.barHeight,
+               barColor((x + 0.5) / footer.barWidth));
+  }
+}
+
+/// A mark and a text below the bar, at this share of its width.
+void drawLabel(Image& image, const Footer& footer, const Font& font, std::string_view text,
+               double share) {
+  const double x = footer.barLeft + share * (footer.barWidth - 1);
+  const int bottom = footer.barTop + footer.barHeight;
+  const int markHeight = std::max(2, static_cast<int>(footer.letters / 5));
+  fillColumn(image, static_cast<int>(x), bottom, bottom + markHeight, kInk);
+  font.write(image, text, footer.letters, x - font.widthOf(text, footer.letters) / 2,
+             bottom + 1.1 * footer.letters, kInk);
+}
+
+/// Where the legend begins.
+double legendLeft(const Footer& footer, const Font& font) {
+  return footer.barLeft - footer.letters - font.widthOf(kLegendTitle, footer.letters);
+}
+
+void drawLegend(Image& image, const Footer& footer, const Font& font) {
+  const int percent = static_cast<int>(std::lround(100 * kFullColorStrain));
+  drawBar(image, footer);
+  drawLabel(image, footer, font, fmt::format("−{} %", percent), 0);
+  drawLabel(image, footer, font, "0", 0.5);
+  drawLabel(image, footer, font, fmt::format("+{} %", percent), 1);
+  font.write(image, kLegendTitle, footer.letters, legendLeft(footer, font), footer.baseline, kInk);
+}
+
+/// The longest beginning of the text that fits, with an ellipsis where it was cut.
+std::string fitted(std::string text, const Font& font, double letters, double width) {
+  if (font.widthOf(text, letters) <= width) {
+    return text;
+  }
+  const auto continues = [](char c) { return (static_cast<unsigned char>(c) & 0xC0) == 0x80; };
+  while (!text.empty() && font.widthOf(text + std::string(kEllipsis), letters) > width) {
+    while (text.size() > 1 && continues(text.back())) {
+      text.pop_back();
+    }
+    text.pop_back();
+  }
+  return text + std::string(kEllipsis);
+}
+
+void drawCaption(Image& image, const Footer& footer, const Font& font,
+                 const PictureOptions& options) {
+  const double right = options.legend ? legendLeft(footer, font) - 2 * footer.letters
+                                      : options.width - footer.margin;
+  font.write(image, fitted(options.caption, font, footer.letters, right - footer.margin),
+             footer.letters, footer.margin, footer.baseline, kInk);
+}
+
+}  // namespace
+
+SceneSize sceneSize(const PictureOptions& options) {
+  assert(options.width >= kSmallestPicture && options.height >= kSmallestPicture);
+  return {options.width, options.height - layOutFooter(options).height};
+}
+
+Image composePicture(const Image& scene, const PictureOptions& options) {
+  assert(scene.width == options.width && scene.height == sceneSize(options).height);
+  const Footer footer = layOutFooter(options);
+  Image picture{options.width, options.height, scene.rgba};
+  picture.rgba.resize(4 * static_cast<std::size_t>(options.width) * options.height, 255);
+  if (options.legend || !options.caption.empty()) {
+    const Font font = Font::findSans();
+    drawCaption(picture, footer, font, options);
+    if (options.legend) {
+      drawLegend(picture, footer, font);
+    }
+  }
+  return picture;
+}
+
+void writePng(const std::filesystem::path& path, const Image& image) {
+  constexpr int kChannels = 4;
+  std::string bytes;
+  const auto append = [](void* target, void* data, int size) {
+    static_cast<std::string*>(target)->append(static_cast<const char*>(data),
+                                              static_cast<std::size_t>(size));
+  };
+  if (stbi_write_png_to_func(append, &bytes, image.width, image.height, kChannels,
+                             image.rgba.data(), kChannels * image.width) == 0) {
+    throw InputError(fmt::format("{}: the picture cannot be packed", path.string()));
+  }
+  writeFileAtomically(path, bytes);
+}
+
+}  // namespace morphgrid

@@ -1,0 +1,37 @@
+#pragma once
+#include <filesystem>
+#include <string>
+
+#include "render/image.h"
+
+namespace morphgrid {
+
+/// A picture is a scene with a footer: a caption on the left, a colour bar of strains on the right.
+struct PictureOptions {
+  int width = 1280;     ///< Of the whole, in pixels, >= kSmallestPicture
+  int height = 960;     ///< Of the whole, in pixels, >= kSmallestPicture
+  std::string caption;  ///< One line of UTF-8; cut short where it does not fit.
+  bool legend = true;
+};
+
+constexpr int kSmallestPicture = 64;
+
+struct SceneSize {
+  int width;
+  int height;
+
+  double aspect() const { return static_cast<double>(width) / height; }
+};
+
+/// What the footer leaves for the scene. The same with and without legend and caption, so that
+/// pictures of one size can be laid over each other.
+SceneSize sceneSize(const PictureOptions& options);
+
+/// Adds the footer. scene: of sceneSize(options). Throws InputError that says what to install when
+/// there is no font.
+Image composePicture(const Image& scene, const PictureOptions& options);
+
+/// Throws InputError when the file cannot be written; one that was there is then kept.
+void writePng(const std::filesystem::path& path, const Image& image);
+
+}  // namespace morphgrid
