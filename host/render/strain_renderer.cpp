@@ -38,7 +38,7 @@ struct LocalView {
 
 LocalView localView(const DeviceGrid& grid, const Eigen::Isometry3d& worldFromGrid,
                     const Camera& camera) {
-  const Eigen::Matrix4d rigid = worldFromGrid.matrix();
+  const Eigen::Matrix4d& rigid = worldFromGrid.matrix();
   const Eigen::Vector3d& origin = grid.origin();
   glm::dmat4 worldFromLocal = glm::make_mat4(rigid.data());
   worldFromLocal = glm::translate(worldFromLocal, {origin.x(), origin.y(), origin.z()});
