@@ -16,15 +16,15 @@ using uint = std::uint32_t;
 // Two triangles.
 CONSTANT uint kVerticesPerQuad = 6u;
 
-// Bindings kBindingPositions and kBindingRest of solver_types.h. Local coordinates are spacings about
-// the zero of the fixed-point positions.
+// Bindings kBindingPositions and kBindingRest of solver_types.h. Local coordinates are spacings
+// about the zero of the fixed-point positions.
 
 struct StrutPush {
   mat4 clipFromLocal;
-  vec3 eye;              // local
-  float halfWidth;       // of a strut, in spacings
-  vec3 towardsLight;     // local, unit length
-  float resolution;      // Spacings per step of the fixed-point positions.
+  vec3 eye;           // local
+  float halfWidth;    // of a strut, in spacings
+  vec3 towardsLight;  // local, unit length
+  float resolution;   // Spacings per step of the fixed-point positions.
   int verticesU;
   int verticesV;
   int layers;
