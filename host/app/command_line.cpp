@@ -123,7 +123,8 @@ int runCommandLine(int argc, char** argv) {
   spdlog::set_pattern("%^%l%$: %v");
 
   CLI::App app(
-      "morphgrid designs and simulates multi-tiered 4D-printed grids: how a flat, multi-layer grid of "
+      "morphgrid designs and simulates multi-tiered 4D-printed grids: how a flat, multi-layer grid "
+      "of "
       "struts must shrink to become a curved surface, and how close it comes.",
       "morphgrid");
   app.set_version_flag("--version", MORPHGRID_VERSION);

@@ -7,7 +7,8 @@
 namespace morphgrid {
 namespace {
 
-/// The target as a grid of one layer at rest, so that it is drawn by the same pipeline as the result.
+/// The target as a grid of one layer at rest, so that it is drawn by the same pipeline as the
+/// result.
 StrutGrid targetGrid(const GridShape& shape, double spacing, const Eigen::Matrix3Xd& targets) {
   const GridShape layer{shape.verticesU, shape.verticesV, 1};
   StrutGrid grid{layer, spacing, targets, StrutValues(layer), StrutValues(layer), 1.0};
@@ -66,8 +67,8 @@ void Pictures::drawResult(const DeviceGrid& deviceGrid, const Eigen::Matrix3Xd& 
   if (targets) {
     const StrutGrid grid = targetGrid(deviceGrid.shape(), deviceGrid.spacing(), *targets);
     const DeviceGrid target(device_, grid);
-    write("target", "target",
-          renderer_.drawSurface(target, Eigen::Isometry3d::Identity(), camera), false);
+    write("target", "target", renderer_.drawSurface(target, Eigen::Isometry3d::Identity(), camera),
+          false);
   }
 }
 

@@ -74,8 +74,7 @@ void solve(Stage& stage, const char* name, const Scene& scene, const RunOptions&
 }
 
 /// Brings the result to where the target lies; without a target, to where it was printed.
-Eigen::Isometry3d alignResult(const Stage& stage,
-                              const std::optional<Eigen::Matrix3Xd>& targets) {
+Eigen::Isometry3d alignResult(const Stage& stage, const std::optional<Eigen::Matrix3Xd>& targets) {
   const Eigen::Matrix3Xd& positions = stage.equilibrium.positions;
   return targets ? alignRigidly(middleLayer(stage.grid.shape, positions), *targets)
                  : alignRigidly(positions, stage.grid.positions);
@@ -139,8 +138,7 @@ Stage runInPlane(const Scene& scene, const RunOptions& options, const GridDesign
 /// The printed layer, stacked, morphs in space.
 Stage runFull(const Scene& scene, const RunOptions& options, const GridDesign& design,
               const Eigen::Matrix3Xd& printedLayer, const Stagehands& hands) {
-  Stage stage =
-      prepare(stackedGrid(design, scene.weights, scene.scaling, printedLayer), hands);
+  Stage stage = prepare(stackedGrid(design, scene.weights, scene.scaling, printedLayer), hands);
   if (hands.pictures) {
     hands.pictures->drawFlat("stacked", "stacked: all layers, before the morph", *stage.onDevice,
                              stage.grid.positions);

@@ -15,9 +15,9 @@ struct RunOptions {
 /// Reads nothing, solves nothing: measures and designs.
 RunRecord checkScene(const Scene& scene);
 
-/// The main job: measure, design, solve in the plane, stack, solve in space; leaves report, pictures and
-/// files in the output folder. Throws InputError when the scene cannot be built or the folder cannot be
-/// written, DeviceError when the device fails.
+/// The main job: measure, design, solve in the plane, stack, solve in space; leaves report,
+/// pictures and files in the output folder. Throws InputError when the scene cannot be built or the
+/// folder cannot be written, DeviceError when the device fails.
 RunRecord runScene(const Scene& scene, const RunOptions& options);
 
 }  // namespace morphgrid

@@ -7,8 +7,8 @@
 
 namespace morphgrid {
 
-/// Tells on stderr how a stage gets on: a bar that redraws itself on a terminal, a plain line every few
-/// seconds elsewhere.
+/// Tells on stderr how a stage gets on: a bar that redraws itself on a terminal, a plain line every
+/// few seconds elsewhere.
 class ProgressLine {
  public:
   ProgressLine(std::string stage, double tolerance);
@@ -27,8 +27,8 @@ class ProgressLine {
   std::vector<ConvergenceSample> samples_;
 };
 
-/// Seconds until the residual meets the tolerance, judged by its fall over the last half of the time;
-/// negative when it does not fall.
+/// Seconds until the residual meets the tolerance, judged by its fall over the last half of the
+/// time; negative when it does not fall.
 double estimateSecondsLeft(const std::vector<ConvergenceSample>& samples, double tolerance);
 
 }  // namespace morphgrid

@@ -33,10 +33,10 @@ void rejectKeysOfOtherKinds(SurfaceKind kind, TomlSection& surface, TomlSection&
   };
   using enum SurfaceKind;
   const KindKey keys[] = {
-      {bezier, surface, "patch"},         {bendAngles, surface, "theta_u"},
-      {bendAngles, surface, "theta_v"},   {bendAngles, surface, "spacing"},
-      {bezier, grid, "nodes_long"},       {bendAngles, grid, "nodes_u"},
-      {bendAngles, grid, "nodes_v"},      {bezier, grid, "curvature_cutoff"},
+      {bezier, surface, "patch"},       {bendAngles, surface, "theta_u"},
+      {bendAngles, surface, "theta_v"}, {bendAngles, surface, "spacing"},
+      {bezier, grid, "nodes_long"},     {bendAngles, grid, "nodes_u"},
+      {bendAngles, grid, "nodes_v"},    {bezier, grid, "curvature_cutoff"},
   };
   for (const KindKey& entry : keys) {
     if (entry.kind == kind) continue;
@@ -95,7 +95,8 @@ BendAngleRequest readBendAngles(TomlSection& surface, TomlSection& grid,
           .lastThetaV = lastThetaV};
 }
 
-/// Struts, about three a vertex, are counted in int. In double, which the largest counts do not overflow.
+/// Struts, about three a vertex, are counted in int. In double, which the largest counts do not
+/// overflow.
 void checkVertexCount(TomlReader& reader, const TomlSection& grid, std::string_view key,
                       double nodesU, double nodesV, int layers) {
   constexpr int kLimit = std::numeric_limits<int>::max() / 3;

@@ -35,9 +35,10 @@ void requireCountable(const GridSize& size, int layers) {
   const double vertices = (size.nodesU + 1.0) * (size.nodesV + 1.0) * layers;
   const double limit = std::numeric_limits<int>::max() / 3;
   if (vertices > limit) {
-    throw InputError(fmt::format("{} x {} nodes in {} layers are {:.3g} vertices, at most {:.3g} can be "
-                                 "numbered; ask for fewer nodes or layers",
-                                 size.nodesU, size.nodesV, layers, vertices, limit));
+    throw InputError(
+        fmt::format("{} x {} nodes in {} layers are {:.3g} vertices, at most {:.3g} can be "
+                    "numbered; ask for fewer nodes or layers",
+                    size.nodesU, size.nodesV, layers, vertices, limit));
   }
 }
 

@@ -9,8 +9,8 @@ namespace morphgrid {
 
 /// How far the struts and corners ended from what the design wants; percent.
 struct StrutErrors {
-  double l0Percent;     ///< Mean | |e| - L0 | / L0 over lateral struts of the layer that carries L0.
-  double lbPercent;     ///< The same for L_b, on the layer of the concave side.
+  double l0Percent;  ///< Mean | |e| - L0 | / L0 over lateral struts of the layer that carries L0.
+  double lbPercent;  ///< The same for L_b, on the layer of the concave side.
   double anglePercent;  ///< Mean over all corners of |angle - 90| / 90.
 };
 
@@ -18,8 +18,8 @@ struct StrutErrors {
 StrutErrors computeStrutErrors(const GridDesign& design, const StrutGrid& grid,
                                const Eigen::Matrix3Xd& positions);
 
-/// Distance of the middle layer to the target after rigid alignment, in percent of the diagonal of the
-/// target's bounding box.
+/// Distance of the middle layer to the target after rigid alignment, in percent of the diagonal of
+/// the target's bounding box.
 struct TargetDistance {
   double rmsPercent;  ///< To the point of the same parameters.
   double maxPercent;
@@ -31,7 +31,8 @@ struct TargetDistance {
 TargetDistance computeTargetDistance(const Eigen::Matrix3Xd& middle,
                                      const Eigen::Matrix3Xd& targets, const Surface& surface);
 
-/// Shrink of a strut = 1 - rest / printed length, the printed one being where the full stage starts.
+/// Shrink of a strut = 1 - rest / printed length, the printed one being where the full stage
+/// starts.
 struct ShrinkFigures {
   double largestPercent;
   int strutsOverLimit;  ///< Lateral struts that shrink by more than maxShrinkage.

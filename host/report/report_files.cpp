@@ -16,9 +16,9 @@ ordered_json number(double value) {
 }
 
 ordered_json toJson(const Equilibrium& stage) {
-  return {{"iterations", stage.iterations},       {"converged", stage.converged},
-          {"reason", toString(stage.reason)},     {"residual", number(stage.residual)},
-          {"energy", number(stage.energy)},       {"seconds", stage.seconds}};
+  return {{"iterations", stage.iterations},   {"converged", stage.converged},
+          {"reason", toString(stage.reason)}, {"residual", number(stage.residual)},
+          {"energy", number(stage.energy)},   {"seconds", stage.seconds}};
 }
 
 ordered_json toJson(const MeasurementFigures& m) {
@@ -30,16 +30,18 @@ ordered_json toJson(const MeasurementFigures& m) {
 }
 
 ordered_json toJson(const GridFigures& g) {
-  return {{"nodes_u", g.shape.verticesU - 1}, {"nodes_v", g.shape.verticesV - 1},
-          {"layers", g.shape.layers},         {"layer_spacing", g.layerSpacing},
-          {"vertices", g.shape.vertexCount()}, {"struts", g.shape.strutCount()},
+  return {{"nodes_u", g.shape.verticesU - 1},
+          {"nodes_v", g.shape.verticesV - 1},
+          {"layers", g.shape.layers},
+          {"layer_spacing", g.layerSpacing},
+          {"vertices", g.shape.vertexCount()},
+          {"struts", g.shape.strutCount()},
           {"bend_shrink_percent", g.bendShrinkPercent}};
 }
 
 ordered_json toJson(const StrutErrors& e) {
-  return {{"l0_percent", e.l0Percent},
-          {"lb_percent", e.lbPercent},
-          {"angle_percent", e.anglePercent}};
+  return {
+      {"l0_percent", e.l0Percent}, {"lb_percent", e.lbPercent}, {"angle_percent", e.anglePercent}};
 }
 
 ordered_json toJson(const TargetDistance& d) {
@@ -114,11 +116,11 @@ void addMeasurement(Table& table, const RunRecord& record, const PublishedFigure
 
 void addStage(Table& table, const char* name, const std::optional<Equilibrium>& stage) {
   if (stage) {
-    table.line(fmt::format("  {:<9} {} {} ({}), residual {:.2g}, energy {:.6g}, {:.2f} s", name,
-                           stage->iterations, stage->iterations == 1 ? "iteration" : "iterations",
-                           stage->converged ? "converged"
-                                            : "NOT converged: " + toString(stage->reason),
-                           stage->residual, stage->energy, stage->seconds));
+    table.line(
+        fmt::format("  {:<9} {} {} ({}), residual {:.2g}, energy {:.6g}, {:.2f} s", name,
+                    stage->iterations, stage->iterations == 1 ? "iteration" : "iterations",
+                    stage->converged ? "converged" : "NOT converged: " + toString(stage->reason),
+                    stage->residual, stage->energy, stage->seconds));
   }
 }
 
@@ -174,12 +176,10 @@ std::string toTable(const RunRecord& record) {
   const PublishedFigures paper = record.published.value_or(PublishedFigures{});
   const GridFigures& g = record.grid;
   addMeasurement(table, record, paper);
-  table.row("nodes, u x v",
-            fmt::format("{} x {}", g.shape.verticesU - 1, g.shape.verticesV - 1),
+  table.row("nodes, u x v", fmt::format("{} x {}", g.shape.verticesU - 1, g.shape.verticesV - 1),
             ifAll("{} x {}", paper.nodesU, paper.nodesV));
   table.row("layers, spacing", fmt::format("{}, {:.4g}", g.shape.layers, g.layerSpacing));
-  table.row("vertices, struts",
-            fmt::format("{}, {}", g.shape.vertexCount(), g.shape.strutCount()));
+  table.row("vertices, struts", fmt::format("{}, {}", g.shape.vertexCount(), g.shape.strutCount()));
   table.row("largest L_b shrink", fmt::format("{:.1f} %", g.bendShrinkPercent),
             ifAll("{:.1f} %", paper.bendShrinkPercent));
   addResults(table, record, paper);

@@ -124,7 +124,8 @@ Vector3d BezierPatch::normal(double u, double v) const {
 
 /// derivative(basis, t): of the isoline, with `basis` along it at t. t: where on it the point lies.
 template <typename Derivative>
-double BezierPatch::isolineCurvature(Derivative derivative, double t, const Vector3d& normal) const {
+double BezierPatch::isolineCurvature(Derivative derivative, double t,
+                                     const Vector3d& normal) const {
   if (derivative(bernsteinFirst, t).norm() <= kDegenerate * size_) {
     t = inward(t);
   }

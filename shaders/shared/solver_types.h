@@ -22,8 +22,8 @@ CONSTANT uint kSweepColumnsU = 8u;
 CONSTANT uint kSweepColumnsV = 16u;
 CONSTANT uint kControlInvocations = 128u;
 
-// Every kSweepsPerCheck-th sweep measures energy and residual; even, so that the measured state always
-// lies in the same of the two position buffers.
+// Every kSweepsPerCheck-th sweep measures energy and residual; even, so that the measured state
+// always lies in the same of the two position buffers.
 CONSTANT uint kSweepsPerCheck = 16u;
 
 // Bindings of the solver's kernels.
@@ -35,16 +35,16 @@ CONSTANT uint kBindingState = 4u;          // buffer, SolverState
 CONSTANT uint kBindingPartials = 5u;       // buffer, vec4 a workgroup: energy, |g|^2, g.velocity
 CONSTANT uint kBindingSamples = 6u;        // buffer, SolverSample
 
-// Rest lengths are an ivec4 a vertex: L of its struts to +u, +v and +w in fixed point, and in w the bits
-// of a float: how far the vertex steps per unit of force.
+// Rest lengths are an ivec4 a vertex: L of its struts to +u, +v and +w in fixed point, and in w the
+// bits of a float: how far the vertex steps per unit of force.
 
 // Lengths are in units of the spacing, energies in stiffness x spacing^2.
 struct SweepPush {
   int verticesU;
   int verticesV;
   int layers;
-  uint sweep;           // Number of this sweep since the last check, 0 .. kSweepsPerCheck-1.
-  float resolution;     // Spacings per step of the fixed-point positions, a power of two.
+  uint sweep;            // Number of this sweep since the last check, 0 .. kSweepsPerCheck-1.
+  float resolution;      // Spacings per step of the fixed-point positions, a power of two.
   float restResolution;  // Spacings per step of the fixed-point rest lengths, a power of two.
   float angleWeight;
 };
@@ -58,7 +58,7 @@ struct ControlPush {
 struct SolverState {
   uint sweepsSinceRestart;  // Of the Chebyshev acceleration.
   uint sampleCount;
-  uint done;         // 1 once the residual is below the tolerance: sweeps then change nothing.
+  uint done;  // 1 once the residual is below the tolerance: sweeps then change nothing.
   float tolerance;
 };
 

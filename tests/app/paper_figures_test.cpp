@@ -34,7 +34,8 @@ TEST_P(PaperFigures, AreMet) {
   EXPECT_TRUE(record.notices.empty());
 }
 
-// L_b shrink: the paper prints 25.6, 30.9 and 34.8; the patches fitted to its other figures give these.
+// L_b shrink: the paper prints 25.6, 30.9 and 34.8; the patches fitted to its other figures give
+// these.
 INSTANTIATE_TEST_SUITE_P(
     Scenes, PaperFigures,
     testing::Values(Expected{"patch", 867.4, 735.1, 0.1, 0.0064, 0.0001, 30, 26, 25.6},

@@ -23,23 +23,20 @@ class Run : public testing::Test {
     std::ifstream stream(out() + "/report.json");
     return nlohmann::json::parse(stream);
   }
-  bool exists(const std::string& name) const {
-    return std::filesystem::exists(out() + "/" + name);
-  }
+  bool exists(const std::string& name) const { return std::filesystem::exists(out() + "/" + name); }
 
   TemporaryFolder folder_;
 };
 
 TEST_F(Run, LeavesReportPicturesAndFiles) {
-  const ProcessResult run =
-      runMorphgrid({"run", sceneFile("egg_chair"), "--out", out(), "--validate", "--set",
-                    "grid.nodes_long=8", "--set", "output.width=320", "--set", "output.height=240"});
+  const ProcessResult run = runMorphgrid({"run", sceneFile("egg_chair"), "--out", out(),
+                                          "--validate", "--set", "grid.nodes_long=8", "--set",
+                                          "output.width=320", "--set", "output.height=240"});
   EXPECT_EQ(run.exitCode, 0) << run.output;
   EXPECT_THAT(run.output, HasSubstr("paper Fig. 4"));
-  for (const char* file :
-       {"report.json", "convergence.csv", "initial.png", "in_plane.png", "stacked.png",
-        "warped.png", "surface.png", "target.png", "warped.glb", "warped.vtu", "surface.ply",
-        "surface.obj"}) {
+  for (const char* file : {"report.json", "convergence.csv", "initial.png", "in_plane.png",
+                           "stacked.png", "warped.png", "surface.png", "target.png", "warped.glb",
+                           "warped.vtu", "surface.ply", "surface.obj"}) {
     EXPECT_TRUE(exists(file)) << file;
   }
   const auto json = report();
@@ -53,8 +50,9 @@ TEST_F(Run, LeavesReportPicturesAndFiles) {
 }
 
 TEST_F(Run, DeviceAgreesWithTheReferenceMethod) {
-  const std::vector<std::string> common{"run", sceneFile("egg_chair"), "--quiet", "--set",
-                                        "grid.nodes_long=8", "--set", "output.pictures=false"};
+  const std::vector<std::string> common{
+      "run",   sceneFile("egg_chair"), "--quiet", "--set", "grid.nodes_long=8",
+      "--set", "output.pictures=false"};
   std::vector<std::string> jacobi = common;
   jacobi.insert(jacobi.end(), {"--out", out()});
   ASSERT_EQ(runMorphgrid(jacobi).exitCode, 0);
@@ -71,9 +69,9 @@ TEST_F(Run, DeviceAgreesWithTheReferenceMethod) {
 }
 
 TEST_F(Run, StripHasNoTargetAndSaysSo) {
-  const ProcessResult run = runMorphgrid(
-      {"run", sceneFile("strip"), "--out", out(), "--validate", "--set", "grid.nodes_u=10", "--set",
-       "output.width=320", "--set", "output.height=240"});
+  const ProcessResult run =
+      runMorphgrid({"run", sceneFile("strip"), "--out", out(), "--validate", "--set",
+                    "grid.nodes_u=10", "--set", "output.width=320", "--set", "output.height=240"});
   EXPECT_EQ(run.exitCode, 0) << run.output;
   EXPECT_TRUE(report()["distance_to_target"].is_null());
   EXPECT_TRUE(report()["measurement"].is_null());
@@ -91,9 +89,9 @@ TEST_F(Run, OneLayerStopsAfterTheInPlaneStage) {
 }
 
 TEST_F(Run, NotConvergedWritesItsResultsAndExitsWith3) {
-  const ProcessResult run = runMorphgrid(
-      {"run", sceneFile("egg_chair"), "--out", out(), "--set", "solver.iteration_limit=64", "--set",
-       "output.width=320", "--set", "output.height=240"});
+  const ProcessResult run = runMorphgrid({"run", sceneFile("egg_chair"), "--out", out(), "--set",
+                                          "solver.iteration_limit=64", "--set", "output.width=320",
+                                          "--set", "output.height=240"});
   EXPECT_EQ(run.exitCode, 3);
   EXPECT_THAT(run.output, HasSubstr("NOT converged: iteration limit"));
   EXPECT_EQ(report()["full"]["converged"], false);
@@ -107,14 +105,14 @@ TEST_F(Run, CtrlCStopsCleanlyAndWritesItsResults) {
       {}, 3);
   EXPECT_EQ(run.exitCode, 130) << run.output;
   const auto json = report();
-  EXPECT_TRUE(json["in_plane"]["reason"] == "interrupted" || json["full"]["reason"] == "interrupted");
+  EXPECT_TRUE(json["in_plane"]["reason"] == "interrupted" ||
+              json["full"]["reason"] == "interrupted");
   EXPECT_TRUE(exists("warped.vtu"));
 }
 
 TEST_F(Run, ClampsAreTold) {
-  const ProcessResult run =
-      runMorphgrid({"check", sceneFile("egg_chair"), "--set", "grid.layer_spacing=2", "--set",
-                    "grid.nodes_long=2"});
+  const ProcessResult run = runMorphgrid({"check", sceneFile("egg_chair"), "--set",
+                                          "grid.layer_spacing=2", "--set", "grid.nodes_long=2"});
   EXPECT_EQ(run.exitCode, 0);
   EXPECT_THAT(run.output, HasSubstr("Eq. 21"));
   EXPECT_THAT(run.output, HasSubstr("Eq. 23"));

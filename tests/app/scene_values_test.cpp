@@ -116,10 +116,10 @@ TEST(SceneValues, BendAngles) {
 
 TEST(SceneValues, TooManyVertices) {
   const std::string start = "[surface]\nkind = \"bend_angles\"\n[grid]\nlayer_spacing = 1\n";
-  EXPECT_EQ(SceneFiles(start + "layers = 1\nnodes_u = 46339\nnodes_v = 46339\n").problems(), "");
-  EXPECT_EQ(SceneFiles(start + "layers = 1\nnodes_u = 46340\nnodes_v = 46340\n").problems(),
+  EXPECT_EQ(SceneFiles(start + "layers = 1\nnodes_u = 26753\nnodes_v = 26753\n").problems(), "");
+  EXPECT_EQ(SceneFiles(start + "layers = 1\nnodes_u = 26754\nnodes_v = 26754\n").problems(),
             "scene.toml:6:11: grid.nodes_u asks for too large a grid: at most 715827882 vertices "
-            "are possible, got 2.147e+09");
+            "are possible, got 7.158e+08");
   EXPECT_EQ(SceneFiles(start + "nodes_u = 1\nnodes_v = 2147483647\n").problems(),
             "scene.toml:6:11: grid.nodes_v asks for too large a grid: at most 715827882 vertices "
             "are possible, got 1.288e+10");

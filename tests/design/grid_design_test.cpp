@@ -37,8 +37,7 @@ TEST(ChooseGridSize, FlatSurfacesHaveNoLimits) {
 }
 
 TEST(ChooseGridSize, ClampsTheLayerSpacingAndSaysSo) {
-  const DesignRequest request{
-      .layers = 3, .layerSpacing = 1, .nodesLong = 10, .maxShrinkage = 0.4};
+  const DesignRequest request{.layers = 3, .layerSpacing = 1, .nodesLong = 10, .maxShrinkage = 0.4};
   const GridSize size = chooseGridSize(survey(2, 1, 0.5), request);
   EXPECT_NEAR(size.layerSpacingLimit, 2 * 0.4 / 2, 1e-15);  // R maxShrinkage / (layers - 1)
   EXPECT_EQ(size.layerSpacing, size.layerSpacingLimit);
@@ -75,8 +74,7 @@ SurfaceMeasurement uniformMeasurement(double length, double curvature) {
 }
 
 TEST(DesignGrid, BendAngleIsThatOfTheChord) {
-  const GridDesign design =
-      designGrid(uniformMeasurement(0.8, -0.5), {.layerSpacing = 0.1}, 3);
+  const GridDesign design = designGrid(uniformMeasurement(0.8, -0.5), {.layerSpacing = 0.1}, 3);
   // A chord of length L on radius R spans 2 asin(L / 2R).
   EXPECT_NEAR(design.bendAngles.u(1, 2), -2 * std::asin(0.2), 1e-15);
   EXPECT_EQ(design.spacing, 0.8);

@@ -31,9 +31,9 @@ TEST(StackedGrid, CopiesThePrintedLayerAndShortensTheConcaveSide) {
     EXPECT_EQ(grid.positions.col(grid.shape.index(3, 2, k)), Eigen::Vector3d(4.5, 3, 0.2 * k));
   }
   const double shrunk = 1.5 - 2 * 2 * 0.2 * std::sin(0.25);
-  EXPECT_EQ(grid.rest.u[grid.shape.index(0, 0, 0)], 1.5);              // theta > 0: convex below
+  EXPECT_EQ(grid.rest.u[grid.shape.index(0, 0, 0)], 1.5);  // theta > 0: convex below
   EXPECT_NEAR(grid.rest.u[grid.shape.index(0, 0, 2)], shrunk, 1e-15);
-  EXPECT_EQ(grid.rest.u[grid.shape.index(2, 0, 2)], 1.5);              // theta < 0: convex above
+  EXPECT_EQ(grid.rest.u[grid.shape.index(2, 0, 2)], 1.5);  // theta < 0: convex above
   EXPECT_NEAR(grid.rest.u[grid.shape.index(2, 0, 0)], shrunk, 1e-15);
   EXPECT_EQ(grid.rest.w[grid.shape.index(1, 1, 1)], 0.2);
   EXPECT_EQ(grid.rest.w[grid.shape.index(1, 1, 2)], 0);

@@ -8,8 +8,8 @@
 namespace morphgrid {
 namespace {
 
-/// A cylinder of radius R bent along u by `angle`, of length `length` along v; the normal points to the
-/// axis, so that its curvature along u is +1/R.
+/// A cylinder of radius R bent along u by `angle`, of length `length` along v; the normal points to
+/// the axis, so that its curvature along u is +1/R.
 class Cylinder : public Surface {
  public:
   Cylinder(double radius, double angle, double length)

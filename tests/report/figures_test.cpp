@@ -32,8 +32,7 @@ Eigen::Matrix3Xd planePoints(int count) {
 TEST(TargetDistance, RigidMotionIsForgiven) {
   const Eigen::Matrix3Xd targets = planePoints(5);
   const Eigen::Isometry3d motion =
-      Eigen::Translation3d(3, 4, 5) *
-      Eigen::AngleAxisd(1.3, Eigen::Vector3d(1, 2, 3).normalized());
+      Eigen::Translation3d(3, 4, 5) * Eigen::AngleAxisd(1.3, Eigen::Vector3d(1, 2, 3).normalized());
   const TargetDistance d = computeTargetDistance(motion * targets, targets, Plane());
   EXPECT_LT(d.maxPercent, 1e-12);
   EXPECT_LT(d.closestPointMaxPercent, 1e-12);

@@ -37,9 +37,9 @@ RunRecord sampleRecord() {
 
 TEST(ReportJson, HoldsAllKeysAndRoundTrips) {
   const auto json = nlohmann::json::parse(toJson(sampleRecord()));
-  for (const char* key : {"scene", "method", "scaling", "device", "seconds_total", "grid",
-                          "measurement", "in_plane", "full", "errors", "distance_to_target",
-                          "shrink"}) {
+  for (const char* key :
+       {"scene", "method", "scaling", "device", "seconds_total", "grid", "measurement", "in_plane",
+        "full", "errors", "distance_to_target", "shrink"}) {
     EXPECT_TRUE(json.contains(key)) << key;
   }
   EXPECT_EQ(json["grid"]["nodes_u"], 17);

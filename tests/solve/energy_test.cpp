@@ -39,12 +39,13 @@ TEST_P(EnergyOfShapes, RigidMotionChangesNothing) {
   const StrutGrid grid = bentGrid(GetParam(), 4);
   const StrutEnergy energy(grid);
   const Matrix3Xd x = shaken(grid.positions, 0.1, 6);
-  const Eigen::Isometry3d motion = Eigen::Translation3d(3, -2, 9) *
-                                   Eigen::AngleAxisd(2.1, Vector3d(1, -1, 0.3).normalized());
+  const Eigen::Isometry3d motion =
+      Eigen::Translation3d(3, -2, 9) * Eigen::AngleAxisd(2.1, Vector3d(1, -1, 0.3).normalized());
   const auto here = energy.evaluate(x);
   const auto there = energy.evaluate(motion * x);
   EXPECT_NEAR(there.energy, here.energy, 1e-12 * here.energy);
-  EXPECT_LT((there.gradient - motion.linear() * here.gradient).norm(), 1e-11 * here.gradient.norm());
+  EXPECT_LT((there.gradient - motion.linear() * here.gradient).norm(),
+            1e-11 * here.gradient.norm());
   // No net force, no net torque.
   EXPECT_LT(here.gradient.rowwise().sum().norm(), 1e-11 * here.gradient.norm());
   Vector3d torque = Vector3d::Zero();
@@ -55,8 +56,8 @@ TEST_P(EnergyOfShapes, RigidMotionChangesNothing) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Shapes, EnergyOfShapes,
-                         testing::Values(GridShape{2, 2, 1}, GridShape{5, 3, 1},
-                                         GridShape{2, 2, 2}, GridShape{4, 5, 3}));
+                         testing::Values(GridShape{2, 2, 1}, GridShape{5, 3, 1}, GridShape{2, 2, 2},
+                                         GridShape{4, 5, 3}));
 
 TEST(ListCorners, CountsTwelveInsideAndNeverRepeats) {
   const GridShape shape{5, 5, 5};
@@ -71,7 +72,8 @@ TEST(ListCorners, CountsTwelveInsideAndNeverRepeats) {
 
 /// Smallest |a-p|^2 + |b-q|^2 with p . q = 0, by searching the direction of p and projecting.
 double bruteForceCorner(const Vector3d& a, const Vector3d& b) {
-  // The nearest p, q lie in the plane of a and b; p along a unit vector d, q along its normal there.
+  // The nearest p, q lie in the plane of a and b; p along a unit vector d, q along its normal
+  // there.
   const Vector3d x = a.normalized();
   const Vector3d y = (b - b.dot(x) * x).normalized();
   double best = 1e300;

@@ -22,17 +22,17 @@ class Jacobi : public DeviceTest {
 
 class JacobiReferenceAnswers : public Jacobi, public testing::WithParamInterface<const char*> {};
 
-// saddle_patch: ShapeOp's own answer lies 0.0128 from the minimum, which the reference solver finds;
-// there the minimum is what positions are compared with.
+// saddle_patch: ShapeOp's own answer lies 0.0128 from the minimum, which the reference solver
+// finds; there the minimum is what positions are compared with.
 TEST_P(JacobiReferenceAnswers, PositionsAndEnergyMatch) {
   const std::string name = GetParam();
   const ReferenceProblem problem = loadReferenceProblem(name);
   const Equilibrium result = solve(problem.grid);
   EXPECT_TRUE(result.converged) << toString(result.reason);
   EXPECT_NEAR(result.energy / problem.minimumEnergy, 1, 1e-4);
-  const Eigen::Matrix3Xd expected = name == "saddle_patch"
-                                        ? solveReference(problem.grid, {.tolerance = 1e-11}).positions
-                                        : problem.shapeopPositions;
+  const Eigen::Matrix3Xd expected =
+      name == "saddle_patch" ? solveReference(problem.grid, {.tolerance = 1e-11}).positions
+                             : problem.shapeopPositions;
   EXPECT_LT(largestAlignedDistance(result.positions, expected), 1e-3 * problem.grid.spacing);
 }
 

@@ -3,8 +3,8 @@
 
 namespace morphgrid {
 
-/// A flat grid with unit cells, layers 0.3 apart, whose rest lengths differ between layers (it bends)
-/// and by a few random percent (no symmetry). Normalised stiffnesses.
+/// A flat grid with unit cells, layers 0.3 apart, whose rest lengths differ between layers (it
+/// bends) and by a few random percent (no symmetry). Normalised stiffnesses.
 StrutGrid bentGrid(const GridShape& shape, unsigned seed);
 
 /// positions with random offsets of up to `amount` in each coordinate.

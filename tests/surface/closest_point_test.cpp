@@ -33,7 +33,8 @@ TEST(ClosestPointQuery, FindsTheNearestOfManyTriangles) {
     const Eigen::Vector3d center(coordinate(random), coordinate(random), coordinate(random));
     for (int corner = 0; corner < 3; ++corner) {
       vertices.col(3 * n + corner) =
-          center + 0.1 * Eigen::Vector3d(coordinate(random), coordinate(random), coordinate(random));
+          center +
+          0.1 * Eigen::Vector3d(coordinate(random), coordinate(random), coordinate(random));
       triangles(corner, n) = 3 * n + corner;
     }
   }

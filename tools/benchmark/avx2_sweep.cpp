@@ -51,9 +51,9 @@ inline Vectors zero() { return {Floats::all(0), Floats::all(0), Floats::all(0)};
 Floats columnsBetween(int first, int low, int high) {
   const __m256i column =
       _mm256_add_epi32(_mm256_set1_epi32(first), _mm256_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7));
-  return {_mm256_castsi256_ps(_mm256_and_si256(
-      _mm256_cmpgt_epi32(column, _mm256_set1_epi32(low - 1)),
-      _mm256_cmpgt_epi32(_mm256_set1_epi32(high), column)))};
+  return {
+      _mm256_castsi256_ps(_mm256_and_si256(_mm256_cmpgt_epi32(column, _mm256_set1_epi32(low - 1)),
+                                           _mm256_cmpgt_epi32(_mm256_set1_epi32(high), column)))};
 }
 
 /// Gradients at the ends of both arms of a corner, added to theirs; the apex gets the opposite.
@@ -63,8 +63,7 @@ inline void projectCorner(const Vectors& a, const Vectors& b, Floats aa, Floats 
   const Floats t = aa + bb;
   const Floats ss4 = Floats::all(4) * s * s;
   const Floats tt = t * t;
-  const Floats d =
-      sqrt(max(tt - ss4, fma(Floats::all(1e-12F), tt, Floats::all(1e-30F))));
+  const Floats d = sqrt(max(tt - ss4, fma(Floats::all(1e-12F), tt, Floats::all(1e-30F))));
   const Floats sum = t + d;
   const Floats inverse = Floats::all(1) / (d * sum);
   const Floats own = Floats::all(0) - ss4 * inverse;

@@ -6,9 +6,9 @@
 
 namespace morphgrid {
 
-/// One sweep of the jacobi method on the CPU, vectorised by hand for AVX2 on two threads: the speed peer
-/// of shaders/solve/sweep.comp. Single precision, structure of arrays; every corner is projected once,
-/// at its apex, and its pulls are scattered to the arms.
+/// One sweep of the jacobi method on the CPU, vectorised by hand for AVX2 on two threads: the speed
+/// peer of shaders/solve/sweep.comp. Single precision, structure of arrays; every corner is
+/// projected once, at its apex, and its pulls are scattered to the arms.
 class Avx2Sweep {
  public:
   explicit Avx2Sweep(const StrutGrid& grid);

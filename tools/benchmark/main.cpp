@@ -85,7 +85,8 @@ nlohmann::json compareSweeps(const Device& device, int vertexCount, int rounds) 
 }
 
 int runBenchmark(int argc, char** argv) {
-  CLI::App app("Measures one sweep of the jacobi method on the device beside a hand-vectorised AVX2 loop.");
+  CLI::App app(
+      "Measures one sweep of the jacobi method on the device beside a hand-vectorised AVX2 loop.");
   std::vector<int> sizes{10000, 250000};
   std::string selection;
   std::string jsonFile;
@@ -100,9 +101,10 @@ int runBenchmark(int argc, char** argv) {
     return 4;
   }
   const Device device({.selection = selection, .validation = false});
-  fmt::print("device: {}\nwall time of a sweep per vertex, medians of {} rounds\n", device.name(), rounds);
-  fmt::print("{:>10} {:>14} {:>12} {:>8} {:>18} {:>8}\n", "vertices", "AVX2, 2 threads", "device", "ratio",
-             "device, precise", "ratio");
+  fmt::print("device: {}\nwall time of a sweep per vertex, medians of {} rounds\n", device.name(),
+             rounds);
+  fmt::print("{:>10} {:>14} {:>12} {:>8} {:>18} {:>8}\n", "vertices", "AVX2, 2 threads", "device",
+             "ratio", "device, precise", "ratio");
   nlohmann::json results = nlohmann::json::array();
   for (const int size : sizes) {
     const auto result = compareSweeps(device, size, rounds);
