@@ -2,7 +2,8 @@
 
 #include <fmt/format.h>
 
-#include "grid/build_grids.h"
+#include "grid/strut_grid.h"
+#include "render/font.h"
 
 namespace morphgrid {
 namespace {
@@ -30,7 +31,9 @@ Pictures::Pictures(const Device& device, const PictureChoices& choices,
     : device_(device),
       options_(optionsFor(choices)),
       folder_(std::move(folder)),
-      renderer_(device, sceneSize(options_).width, sceneSize(options_).height) {}
+      renderer_(device, sceneSize(options_).width, sceneSize(options_).height) {
+  Font::findSans();  // A missing font is told before the solve, not after it.
+}
 
 Camera Pictures::frame(const Eigen::Matrix3Xd& points) const {
   return frameAll(points, kObliqueViewDirection, kUpwards, sceneSize(options_).aspect());

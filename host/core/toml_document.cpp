@@ -75,7 +75,7 @@ void merge(toml::table& into, toml::table&& from) {
     }
     into.erase(key.str());  // The key carries its place: assigning alone would keep the old one.
     // Moving keeps a node's place, copying does not.
-    node.visit([&](auto& typed) { into.insert(key, std::move(typed)); });
+    node.visit([&, &place = key](auto& typed) { into.insert(place, std::move(typed)); });
   }
 }
 

@@ -71,7 +71,7 @@ void TomlSection::reject(std::string_view key, const std::string& reason) {
 
 Place TomlSection::place(std::string_view key) const {
   if (const toml::node* node = findAny(key)) return reader_->place(*node);
-  const Place start{reader_->file_, 1, 1};
+  Place start{reader_->file_, 1, 1};
   if (!table_) return start;
   const Place table = reader_->place(*table_);
   return table.line == 0 ? start : table;

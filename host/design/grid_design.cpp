@@ -17,23 +17,29 @@ int shorterNodes(int nodesLong, double aspect) {
   return std::max(1, static_cast<int>(std::ceil(nodesLong / aspect * (1 - 1e-12))));
 }
 
+/// Eq. 23 may raise the node count, but not to where one crease of the surface makes a grid that
+/// nobody asked for and no machine solves.
+constexpr int kMostNodesRaisedTo = 2000;
+
 /// Eq. 23: a strut spans at most a half circle of the tightest radius.
-int fewestNodes(double longestIsoline, double curvatureLimit) {
-  const double fewest = std::ceil(longestIsoline * curvatureLimit / 2);
-  if (fewest > 1e6) {
+int fewestNodes(double longestIsoline, double curvatureLimit, int nodesAskedFor) {
+  const double fewest = std::max(1.0, std::ceil(longestIsoline * curvatureLimit / 2));
+  if (fewest > std::max(nodesAskedFor, kMostNodesRaisedTo)) {
     throw InputError(
-        fmt::format("curvature {:.4g} asks for at least {:.4g} nodes along an isoline of length "
-                    "{:.4g} (Eq. 23); "
-                    "lower the curvature cutoff or smooth the surface",
-                    curvatureLimit, fewest, longestIsoline));
+        fmt::format("curvature {:.4g} needs at least {:.4g} nodes along an isoline of length "
+                    "{:.4g} (Eq. 23); nodes "
+                    "are raised to at most {}: lower grid.curvature_cutoff, ask for as many in "
+                    "grid.nodes_long, or "
+                    "smooth the surface",
+                    curvatureLimit, fewest, longestIsoline, kMostNodesRaisedTo));
   }
-  return std::max(1, static_cast<int>(fewest));
+  return static_cast<int>(fewest);
 }
 
 /// Strut counts, the largest, must fit into an int.
 void requireCountable(const GridSize& size, int layers) {
   const double vertices = (size.nodesU + 1.0) * (size.nodesV + 1.0) * layers;
-  const double limit = std::numeric_limits<int>::max() / 3;
+  const double limit = std::numeric_limits<int>::max() / 3.0;
   if (vertices > limit) {
     throw InputError(
         fmt::format("{} x {} nodes in {} layers are {:.3g} vertices, at most {:.3g} can be "
@@ -108,7 +114,7 @@ GridSize chooseGridSize(const SurfaceSurvey& survey, const DesignRequest& reques
   const bool uIsLonger = survey.longestIsolineU >= survey.longestIsolineV;
   const double longer = std::max(survey.longestIsolineU, survey.longestIsolineV);
   const double aspect = longer / std::min(survey.longestIsolineU, survey.longestIsolineV);
-  size.fewestNodes = fewestNodes(longer, size.curvatureLimit);
+  size.fewestNodes = fewestNodes(longer, size.curvatureLimit, request.nodesLong);
   const int nodesLong = std::max(request.nodesLong, size.fewestNodes);
   const int nodesShort = shorterNodes(nodesLong, aspect);
   size.nodesU = uIsLonger ? nodesLong : nodesShort;

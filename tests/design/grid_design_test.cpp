@@ -63,8 +63,8 @@ TEST(ChooseGridSize, CutoffLowersTheCurvatureAndSaysSo) {
   EXPECT_THAT(size.notices, testing::ElementsAre(HasSubstr("cutoff")));
 }
 
-TEST(ChooseGridSize, RefusesCurvatureThatAsksForMillionsOfNodes) {
-  EXPECT_THROW(chooseGridSize(survey(1, 1, 1e9), {.layerSpacing = 1}), InputError);
+TEST(ChooseGridSize, RefusesCurvatureThatAsksForThousandsOfNodes) {
+  EXPECT_THROW(chooseGridSize(survey(1, 1, 1e4), {.layerSpacing = 1}), InputError);
 }
 
 SurfaceMeasurement uniformMeasurement(double length, double curvature) {
