@@ -1,5 +1,9 @@
 #include "app/design_scene.h"
 
+#include <fmt/format.h>
+
+#include "core/error.h"
+
 namespace morphgrid {
 namespace {
 
@@ -27,10 +31,14 @@ const char* nameOf(Scaling scaling) {
 }  // namespace
 
 SceneDesign designScene(const Scene& scene) {
-  if (scene.surface) {
-    return designFromSurface(*scene.surface, scene.design);
+  try {
+    if (scene.surface) {
+      return designFromSurface(*scene.surface, scene.design);
+    }
+    return {designFromBendAngles(*scene.bendAngles), std::nullopt, std::nullopt, {}};
+  } catch (const InputError& error) {
+    throw InputError(fmt::format("{}: {}", scene.file.string(), error.what()));
   }
-  return {designFromBendAngles(*scene.bendAngles), std::nullopt, std::nullopt, {}};
 }
 
 RunRecord recordOf(const Scene& scene, const SceneDesign& designed) {

@@ -153,8 +153,8 @@ RunRecord checkScene(const Scene& scene) { return recordOf(scene, designScene(sc
 
 RunRecord runScene(const Scene& scene, const RunOptions& options) {
   const auto start = std::chrono::steady_clock::now();
-  const std::filesystem::path folder = createFolder(options.outputFolder);
   const SceneDesign designed = designScene(scene);
+  const std::filesystem::path folder = createFolder(options.outputFolder);
   RunRecord record = recordOf(scene, designed);
 
   const Stagehands hands = summonStagehands(scene, options, folder);

@@ -129,6 +129,39 @@ TEST_F(Run, BadInputExitsWith2AndLeavesNothing) {
   EXPECT_EQ(runMorphgrid({}).exitCode, 2);
 }
 
+TEST_F(Run, CollapsedPatchIsBadInputAndLeavesNothing) {
+  folder_.write("patch.toml",
+                "control_points = [\n"
+                "[[1,0,0],[1,0,0],[1,0,0],[1,0,0]],\n"
+                "[[0,1,0],[1,1,0],[2,1,0],[3,1,0]],\n"
+                "[[0,2,0],[1,2,0],[2,2,0],[3,2,0]],\n"
+                "[[0,3,0],[1,3,0],[2,3,0],[3,3,0]]]\n");
+  const auto scene = folder_.write("collapsed.toml",
+                                   "surface = {kind = \"bezier\", patch = \"patch.toml\"}\n"
+                                   "grid = {layer_spacing = 0.1}\n");
+  const ProcessResult run = runMorphgrid({"run", scene.string(), "--out", out()});
+  EXPECT_EQ(run.exitCode, 2);
+  EXPECT_THAT(run.output, HasSubstr("collapsed.toml: the u strut at node (0, 0) has no length"));
+  EXPECT_FALSE(std::filesystem::exists(out()));
+}
+
+TEST_F(Run, FlatPatchStaysFlat) {
+  folder_.write("patch.toml",
+                "control_points = [\n"
+                "[[0,0,0],[1,0,0],[2,0,0],[3,0,0]],\n"
+                "[[0,1,0],[1,1,0],[2,1,0],[3,1,0]],\n"
+                "[[0,2,0],[1,2,0],[2,2,0],[3,2,0]],\n"
+                "[[0,3,0],[1,3,0],[2,3,0],[3,3,0]]]\n");
+  const auto scene = folder_.write("flat.toml",
+                                   "surface = {kind = \"bezier\", patch = \"patch.toml\"}\n"
+                                   "grid = {layer_spacing = 0.1, nodes_long = 5}\n"
+                                   "output = {pictures = false}\n");
+  const ProcessResult run = runMorphgrid({"run", scene.string(), "--out", out(), "--validate"});
+  EXPECT_EQ(run.exitCode, 0) << run.output;
+  EXPECT_TRUE(report()["measurement"]["layer_spacing_limit"].is_null());
+  EXPECT_LT(report()["distance_to_target"]["max_percent"].get<double>(), 1e-4);
+}
+
 TEST_F(Run, UnwritableFolderIsBadInput) {
   const ProcessResult run =
       runMorphgrid({"run", sceneFile("egg_chair"), "--out", "/proc/morphgrid"});
