@@ -41,7 +41,8 @@ Buffer::Buffer(const Device& device, vk::DeviceSize bytes, vk::BufferUsageFlags 
 }
 
 TexelView::TexelView(const Device& device, const Buffer& buffer, vk::Format format,
-                     std::uint32_t bytesPerTexel) {
+                     std::uint32_t bytesPerTexel, TexelAccess access)
+    : access_(access) {
   const vk::DeviceSize texels = buffer.bytes() / bytesPerTexel;
   if (texels > device.limits().maxTexelBufferElements) {
     throw DeviceError(

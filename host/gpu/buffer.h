@@ -33,16 +33,23 @@ class Buffer {
   void* mapped_ = nullptr;
 };
 
+enum class TexelAccess {
+  fetch,  ///< A samplerBuffer, read by texelFetch.
+  image,  ///< An imageBuffer, read by imageLoad.
+};
+
 /// A view through which shaders read a buffer as texels.
 class TexelView {
  public:
   /// Throws DeviceError when the buffer has more texels than the device allows.
   TexelView(const Device& device, const Buffer& buffer, vk::Format format,
-            std::uint32_t bytesPerTexel);
+            std::uint32_t bytesPerTexel, TexelAccess access = TexelAccess::fetch);
 
   vk::BufferView handle() const { return *view_; }
+  TexelAccess access() const { return access_; }
 
  private:
+  TexelAccess access_;
   vk::raii::BufferView view_ = nullptr;
 };
 

@@ -32,16 +32,30 @@ ComputeKernel::ComputeKernel(const Device& device, std::span<const std::uint32_t
                              std::uint32_t pushConstantBytes,
                              const std::vector<std::uint32_t>& specialization) {
   try {
-    setLayout_ = createSetLayout(device, slotsOf(resources), vk::ShaderStageFlagBits::eCompute);
+    Program program;
+    program.setLayout =
+        createSetLayout(device, slotsOf(resources), vk::ShaderStageFlagBits::eCompute);
     const vk::PushConstantRange push(vk::ShaderStageFlagBits::eCompute, 0, pushConstantBytes);
-    layout_ = vk::raii::PipelineLayout(
-        device.handle(),
-        vk::PipelineLayoutCreateInfo({}, 1, &*setLayout_, pushConstantBytes > 0 ? 1 : 0, &push));
-    pipeline_ = createPipeline(device, spirv, *layout_, specialization);
-    resources_.emplace(device, *setLayout_, resources);
+    program.layout = vk::raii::PipelineLayout(
+        device.handle(), vk::PipelineLayoutCreateInfo({}, 1, &*program.setLayout,
+                                                      pushConstantBytes > 0 ? 1 : 0, &push));
+    program.pipeline = createPipeline(device, spirv, *program.layout, specialization);
+    program_ = std::make_shared<const Program>(std::move(program));
+    resources_.emplace(device, *program_->setLayout, resources);
   } catch (const vk::SystemError& error) {
     throw DeviceError(
         fmt::format("device {} cannot build a compute kernel: {}", device.name(), error.what()));
+  }
+}
+
+ComputeKernel::ComputeKernel(const Device& device, const ComputeKernel& like,
+                             const std::vector<KernelResource>& resources)
+    : program_(like.program_) {
+  try {
+    resources_.emplace(device, *program_->setLayout, resources);
+  } catch (const vk::SystemError& error) {
+    throw DeviceError(
+        fmt::format("device {} cannot bind a kernel's buffers: {}", device.name(), error.what()));
   }
 }
 

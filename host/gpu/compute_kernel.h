@@ -1,4 +1,5 @@
 #pragma once
+#include <memory>
 #include <optional>
 #include <span>
 
@@ -16,14 +17,22 @@ class ComputeKernel {
                 const std::vector<KernelResource>& resources, std::uint32_t pushConstantBytes,
                 const std::vector<std::uint32_t>& specialization = {});
 
-  vk::Pipeline pipeline() const { return *pipeline_; }
-  vk::PipelineLayout layout() const { return *layout_; }
+  /// The same shader with other resources at the same bindings: it is compiled once.
+  ComputeKernel(const Device& device, const ComputeKernel& like,
+                const std::vector<KernelResource>& resources);
+
+  vk::Pipeline pipeline() const { return *program_->pipeline; }
+  vk::PipelineLayout layout() const { return *program_->layout; }
   vk::DescriptorSet descriptorSet() const { return resources_->handle(); }
 
  private:
-  vk::raii::DescriptorSetLayout setLayout_ = nullptr;
-  vk::raii::PipelineLayout layout_ = nullptr;
-  vk::raii::Pipeline pipeline_ = nullptr;
+  struct Program {
+    vk::raii::DescriptorSetLayout setLayout = nullptr;
+    vk::raii::PipelineLayout layout = nullptr;
+    vk::raii::Pipeline pipeline = nullptr;
+  };
+
+  std::shared_ptr<const Program> program_;
   std::optional<ResourceSet> resources_;
 };
 

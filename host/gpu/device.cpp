@@ -176,6 +176,13 @@ vk::raii::PhysicalDevice selectDevice(const vk::raii::Instance& instance,
                                       selection, fmt::join(reasons, "; ")));
 }
 
+std::uint32_t subgroupSizeOf(const vk::raii::PhysicalDevice& device) {
+  return device
+      .getProperties2<vk::PhysicalDeviceProperties2, vk::PhysicalDeviceSubgroupProperties>()
+      .get<vk::PhysicalDeviceSubgroupProperties>()
+      .subgroupSize;
+}
+
 vk::raii::Device createDevice(const vk::raii::PhysicalDevice& physical, std::uint32_t queueFamily,
                               bool float64) {
   vk::PhysicalDeviceFeatures features;
@@ -213,6 +220,7 @@ Device::Device(const DeviceOptions& options)
       properties_(physical_.getProperties()),
       queueFamily_(*generalQueueFamily(physical_)),
       hasFloat64_(physical_.getFeatures().shaderFloat64 != VK_FALSE),
+      subgroupSize_(subgroupSizeOf(physical_)),
       device_(createDevice(physical_, queueFamily_, hasFloat64_)),
       queue_(device_, queueFamily_, 0) {}
 

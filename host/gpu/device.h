@@ -38,6 +38,8 @@ class Device {
   std::string name() const { return properties_.deviceName.data(); }
   /// Whether shaders can compute in double precision.
   bool hasFloat64() const { return hasFloat64_; }
+  /// Invocations that run in lockstep.
+  std::uint32_t subgroupSize() const { return subgroupSize_; }
   double nanosecondsPerTick() const { return properties_.limits.timestampPeriod; }
 
   /// The index of a memory type with these properties; throws DeviceError when there is none.
@@ -56,6 +58,7 @@ class Device {
   vk::PhysicalDeviceProperties properties_;
   std::uint32_t queueFamily_;
   bool hasFloat64_;
+  std::uint32_t subgroupSize_;
   vk::raii::Device device_;
   vk::raii::Queue queue_;
 };

@@ -29,8 +29,12 @@ void writeDescriptor(const Device& device, vk::DescriptorSet set, const KernelRe
 }  // namespace
 
 vk::DescriptorType KernelResource::type() const {
-  return std::holds_alternative<const Buffer*>(resource) ? vk::DescriptorType::eStorageBuffer
-                                                         : vk::DescriptorType::eUniformTexelBuffer;
+  if (std::holds_alternative<const Buffer*>(resource)) {
+    return vk::DescriptorType::eStorageBuffer;
+  }
+  return std::get<const TexelView*>(resource)->access() == TexelAccess::fetch
+             ? vk::DescriptorType::eUniformTexelBuffer
+             : vk::DescriptorType::eStorageTexelBuffer;
 }
 
 std::vector<ResourceSlot> slotsOf(const std::vector<KernelResource>& resources) {

@@ -36,11 +36,26 @@ double chooseRestResolution(const StrutGrid& grid) {
   return std::ldexp(1.0, std::ilogb(longest / grid.spacing) + 1 - 31);
 }
 
+std::optional<UniformStiffness> findUniformStiffness(const StrutGrid& grid) {
+  UniformStiffness uniform{0, 0};
+  for (const Strut& strut : listStruts(grid.shape)) {
+    const bool vertical = strut.direction == Strut::Direction::w;
+    float& common = vertical ? uniform.vertical : uniform.lateral;
+    const auto stiffness = static_cast<float>(valueAt(grid.stiffness, strut));
+    if (common == 0) {
+      common = stiffness;
+    } else if (common != stiffness) {
+      return std::nullopt;
+    }
+  }
+  return uniform;
+}
+
 Buffer perVertexBuffer(const Device& device, const GridShape& shape) {
   using Usage = vk::BufferUsageFlagBits;
   return {device, shape.vertexCount() * sizeof(vec4),
-          Usage::eStorageBuffer | Usage::eUniformTexelBuffer | Usage::eTransferSrc |
-              Usage::eTransferDst,
+          Usage::eStorageBuffer | Usage::eUniformTexelBuffer | Usage::eStorageTexelBuffer |
+              Usage::eTransferSrc | Usage::eTransferDst,
           MemoryKind::device};
 }
 
@@ -93,6 +108,7 @@ DeviceGrid::DeviceGrid(const Device& device, const StrutGrid& grid)
       restResolution_(chooseRestResolution(grid)),
       origin_(grid.positions.rowwise().mean()),
       stepsPerForce_((2 * StrutEnergy(grid).constraintWeights()).cwiseInverse()),
+      uniformStiffness_(findUniformStiffness(grid)),
       positions_(perVertexBuffer(device, shape_)),
       previousPositions_(perVertexBuffer(device, shape_)),
       rest_(perVertexBuffer(device, shape_)),

@@ -1,8 +1,16 @@
 #pragma once
+#include <optional>
+
 #include "gpu/buffer.h"
 #include "grid/strut_grid.h"
 
 namespace morphgrid {
+
+/// All lateral struts as stiff as each other, all vertical ones too: the sweep need not load them.
+struct UniformStiffness {
+  float lateral;
+  float vertical;  ///< 0 where there is a single layer.
+};
 
 /// A strut grid in the device's memory: what the kernels of shaders/solve and shaders/render read.
 /// Lengths are in units of the spacing; positions are fixed-point, see
@@ -30,6 +38,8 @@ class DeviceGrid {
   const Buffer& rest() const { return rest_; }
   /// vec4 a vertex: stiffnesses of the struts to +u, +v, +w.
   const Buffer& stiffness() const { return stiffness_; }
+  /// Empty when stiffnesses differ.
+  const std::optional<UniformStiffness>& uniformStiffness() const { return uniformStiffness_; }
 
   /// positions: 3 x vertexCount, in the scene's unit of length; both buffers get them (no
   /// velocity).
@@ -46,6 +56,7 @@ class DeviceGrid {
   double restResolution_;
   Eigen::Vector3d origin_;
   Eigen::VectorXd stepsPerForce_;
+  std::optional<UniformStiffness> uniformStiffness_;
   Buffer positions_;
   Buffer previousPositions_;
   Buffer rest_;

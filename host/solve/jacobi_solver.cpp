@@ -10,7 +10,6 @@
 
 #include "core/error.h"
 #include "core/interrupt.h"
-#include "shared/solver_types.h"
 #include "solve/control_comp.h"
 #include "solve/energy.h"
 #include "solve/sweep_comp.h"
@@ -34,8 +33,12 @@ Buffer hostStorage(const Device& device, std::size_t bytes) {
   return {device, bytes, vk::BufferUsageFlagBits::eStorageBuffer, MemoryKind::host};
 }
 
-std::uint32_t groupsFor(int count, std::uint32_t groupSize) {
-  return (static_cast<std::uint32_t>(count) + groupSize - 1) / groupSize;
+std::uint32_t groupsFor(std::uint32_t count, std::uint32_t groupSize) {
+  return (count + groupSize - 1) / groupSize;
+}
+
+TexelView texels(const Device& device, const Buffer& buffer, vk::Format format) {
+  return {device, buffer, format, sizeof(vec4), TexelAccess::image};
 }
 
 /// Rest lengths on the way from the struts' initial lengths (share 0) to the designed ones (1).
@@ -57,69 +60,89 @@ JacobiSolver::JacobiSolver(const Device& device, const StrutGrid& grid, DeviceGr
       grid_(grid),
       deviceGrid_(deviceGrid),
       energy_(grid),
-      groupsU_(groupsFor(grid.shape.verticesU, kSweepColumnsU)),
-      groupsV_(groupsFor(grid.shape.verticesV, kSweepColumnsV)),
+      groupsU_(groupsFor(static_cast<std::uint32_t>(grid.shape.verticesU),
+                         kSweepBlockU * device.subgroupSize())),
       state_(hostStorage(device, sizeof(SolverState))),
-      partials_(device, groupsU_ * groupsV_ * sizeof(vec4), vk::BufferUsageFlagBits::eStorageBuffer,
-                MemoryKind::device),
+      partials_(device, groupsU_ * static_cast<std::uint32_t>(grid.shape.verticesV) * sizeof(vec4),
+                vk::BufferUsageFlagBits::eStorageBuffer, MemoryKind::device),
       samples_(hostStorage(device, kLargestSubmission * sizeof(SolverSample))),
-      positionsView_(device, deviceGrid.positions(), vk::Format::eR32G32B32A32Sint, sizeof(ivec4)),
-      previousView_(device, deviceGrid.previousPositions(), vk::Format::eR32G32B32A32Sint,
-                    sizeof(ivec4)),
-      restView_(device, deviceGrid.rest(), vk::Format::eR32G32B32A32Sint, sizeof(ivec4)),
-      stiffnessView_(device, deviceGrid.stiffness(), vk::Format::eR32G32B32A32Sfloat, sizeof(vec4)),
-      sweeps_(sweepKernels(sweep_comp_spirv)),
+      positionsView_(texels(device, deviceGrid.positions(), vk::Format::eR32G32B32A32Sint)),
+      previousView_(texels(device, deviceGrid.previousPositions(), vk::Format::eR32G32B32A32Sint)),
+      restView_(texels(device, deviceGrid.rest(), vk::Format::eR32G32B32A32Sint)),
+      stiffnessView_(texels(device, deviceGrid.stiffness(), vk::Format::eR32G32B32A32Sfloat)),
+      sweeps_(sweepKernels(sweep_comp_spirv, kSweepBlockV)),
       control_(
           device, control_comp_spirv,
           {{kBindingState, &state_}, {kBindingPartials, &partials_}, {kBindingSamples, &samples_}},
           sizeof(ControlPush)),
-      stream_(device) {
-  if (device.hasFloat64()) {
-    preciseSweeps_ = sweepKernels(sweep_precise_comp_spirv);
-  }
-}
+      stream_(device) {}
 
-JacobiSolver::SweepKernels JacobiSolver::sweepKernels(std::span<const std::uint32_t> spirv) const {
-  const auto kernel = [&](const TexelView& from, const Buffer& to, bool measure) {
-    const std::uint32_t planar = grid_.shape.layers == 1 ? 1 : 0;
-    return ComputeKernel(device_, spirv,
-                         {{kBindingPositions, &from},
-                          {kBindingNextPositions, &to},
-                          {kBindingRest, &restView_},
-                          {kBindingStiffness, &stiffnessView_},
-                          {kBindingState, &state_},
-                          {kBindingPartials, &partials_}},
-                         sizeof(SweepPush), {measure ? 1U : 0U, planar});
-  };
-  return {kernel(positionsView_, deviceGrid_.previousPositions(), false),
-          kernel(previousView_, deviceGrid_.positions(), false),
-          kernel(previousView_, deviceGrid_.positions(), true)};
-}
-
-void JacobiSolver::recordSweep(const ComputeKernel& kernel, std::uint32_t sweep) {
+JacobiSolver::SweepKernels JacobiSolver::sweepKernels(std::span<const std::uint32_t> spirv,
+                                                      std::uint32_t blockV) const {
   const GridShape& shape = grid_.shape;
-  const SweepPush push{shape.verticesU,
-                       shape.verticesV,
-                       shape.layers,
-                       sweep,
-                       static_cast<float>(deviceGrid_.resolution()),
-                       static_cast<float>(deviceGrid_.restResolution()),
-                       static_cast<float>(grid_.angleWeight)};
-  stream_.dispatch(kernel, push, groupsU_, groupsV_);
+  const auto layers = static_cast<std::uint32_t>(shape.layers);
+  const std::uint32_t unrolledLayers = layers <= kUnrolledLayers ? layers : 0;
+  const std::uint32_t uniform = deviceGrid_.uniformStiffness() ? 1 : 0;
+  // From `from` to the buffer that `previous` is a view of.
+  const auto resources = [&](const TexelView& from, const TexelView& previous,
+                             const Buffer& to) -> std::vector<KernelResource> {
+    return {{kBindingPositions, &from},           {kBindingPreviousPositions, &previous},
+            {kBindingNextPositions, &to},         {kBindingRest, &restView_},
+            {kBindingStiffness, &stiffnessView_}, {kBindingState, &state_},
+            {kBindingPartials, &partials_}};
+  };
+  const auto forth = resources(positionsView_, previousView_, deviceGrid_.previousPositions());
+  const auto back = resources(previousView_, positionsView_, deviceGrid_.positions());
+  const auto constants = [&](std::uint32_t measure) -> std::vector<std::uint32_t> {
+    return {device_.subgroupSize(), measure, unrolledLayers, uniform};
+  };
+  ComputeKernel even(device_, spirv, forth, sizeof(SweepPush), constants(0));
+  ComputeKernel odd(device_, even, back);
+  ComputeKernel measured(device_, spirv, back, sizeof(SweepPush), constants(1));
+  return {std::move(even), std::move(odd), std::move(measured),
+          groupsFor(static_cast<std::uint32_t>(shape.verticesV), blockV)};
 }
 
-void JacobiSolver::record(const SweepKernels& kernels, int checks) {
+const JacobiSolver::SweepKernels& JacobiSolver::preciseSweeps() {
+  if (!preciseSweeps_) {
+    preciseSweeps_ = sweepKernels(sweep_precise_comp_spirv, kPreciseSweepBlockV);
+  }
+  return *preciseSweeps_;
+}
+
+SweepPush JacobiSolver::sweepPush() const {
+  const GridShape& shape = grid_.shape;
+  const auto stiffness = deviceGrid_.uniformStiffness().value_or(UniformStiffness{});
+  return {shape.verticesU,
+          shape.verticesV,
+          shape.layers,
+          0,
+          static_cast<float>(deviceGrid_.resolution()),
+          static_cast<float>(deviceGrid_.restResolution()),
+          static_cast<float>(grid_.angleWeight),
+          stiffness.lateral,
+          stiffness.vertical};
+}
+
+void JacobiSolver::record(const SweepKernels& kernels, int sweeps) {
   const double residualScale =
       1 / (2 * energy_.constraintWeights().mean() * std::sqrt(double(grid_.shape.vertexCount())));
+  const ControlPush controlPush{groupsU_ * kernels.groupsV, kLargestSubmission,
+                                static_cast<float>(residualScale)};
+  SweepPush push = sweepPush();
   stream_.begin();
-  for (int check = 0; check < checks; ++check) {
-    for (std::uint32_t sweep = 0; sweep + 1 < kSweepsPerCheck; ++sweep) {
-      recordSweep(sweep % 2 == 0 ? kernels.even : kernels.odd, sweep);
+  for (int n = 0; n < sweeps; ++n) {
+    push.sweep = static_cast<std::uint32_t>(n) % kSweepsPerCheck;
+    if (push.sweep + 1 < kSweepsPerCheck) {
+      stream_.dispatch(n % 2 == 0 ? kernels.even : kernels.odd, push, groupsU_, kernels.groupsV);
+    } else {
+      stream_.dispatch(kernels.measured, push, groupsU_, kernels.groupsV);
+      stream_.dispatch(control_, controlPush, 1);
     }
-    recordSweep(kernels.measured, kSweepsPerCheck - 1);
-    stream_.dispatch(
-        control_,
-        ControlPush{groupsU_ * groupsV_, kLargestSubmission, static_cast<float>(residualScale)}, 1);
+  }
+  if (sweeps % 2 == 1) {
+    stream_.copy(deviceGrid_.previousPositions(), deviceGrid_.positions(),
+                 deviceGrid_.positions().bytes());
   }
   stream_.end();
 }
@@ -128,8 +151,8 @@ void JacobiSolver::resetState(double tolerance) {
   state_.mapped<SolverState>()[0] = {0, 0, 0, static_cast<float>(tolerance)};
 }
 
-void JacobiSolver::sweep(int checks, bool precise) {
-  record(precise ? preciseSweeps_.value() : sweeps_, checks);
+void JacobiSolver::sweep(int count, bool precise) {
+  record(precise ? preciseSweeps() : sweeps_, count);
   resetState(0);
   stream_.submitAndWait();
 }
@@ -201,7 +224,7 @@ void JacobiSolver::runUntil(const SweepKernels& kernels, double tolerance, long 
   while (!log.reasonToStop() && log.sweeps() < end) {
     const double before = log.seconds();
     const auto left = (end - log.sweeps() + kSweepsPerCheck - 1) / kSweepsPerCheck;
-    record(kernels, static_cast<int>(std::min<long>(checks, left)));
+    record(kernels, static_cast<int>(std::min<long>(checks, left) * kSweepsPerCheck));
     state_.mapped<SolverState>()[0].sampleCount = 0;
     stream_.submitAndWait();
     const SolverState state = state_.mapped<SolverState>()[0];
@@ -226,7 +249,7 @@ Equilibrium JacobiSolver::solve(const SolveOptions& options) {
     runUntil(sweeps_, std::max(kLoadTolerance, options.tolerance), kLoadSweeps, log);
   }
   deviceGrid_.uploadRest(grid_.rest);
-  const SweepKernels& finalSweeps = preciseSweeps_ ? *preciseSweeps_ : sweeps_;
+  const SweepKernels& finalSweeps = device_.hasFloat64() ? preciseSweeps() : sweeps_;
   if (options.tolerance < kSinglePrecisionResidual) {
     runUntil(sweeps_, kSinglePrecisionResidual, options.iterationLimit - log.sweeps(), log);
   }

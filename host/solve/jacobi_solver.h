@@ -2,6 +2,7 @@
 #include <optional>
 
 #include "gpu/command_stream.h"
+#include "shared/solver_types.h"
 #include "solve/device_grid.h"
 #include "solve/energy.h"
 #include "solve/equilibrium.h"
@@ -20,8 +21,9 @@ class JacobiSolver {
   /// Throws DeviceError when the device fails.
   Equilibrium solve(const SolveOptions& options);
 
-  /// Runs `checks` x kSweepsPerCheck sweeps on the state as it is and waits: for the benchmark.
-  void sweep(int checks, bool precise = false);
+  /// Runs `count` sweeps on the state as it is, the first without momentum, and waits: for the
+  /// benchmark and tests. `precise` asks for a device with float64.
+  void sweep(int count, bool precise = false);
 
  private:
   class RunLog;
@@ -31,11 +33,14 @@ class JacobiSolver {
     ComputeKernel even;      ///< positions -> previous positions
     ComputeKernel odd;       ///< previous positions -> positions
     ComputeKernel measured;  ///< as odd, with energy and residual
+    std::uint32_t groupsV;
   };
 
-  SweepKernels sweepKernels(std::span<const std::uint32_t> spirv) const;
-  void recordSweep(const ComputeKernel& kernel, std::uint32_t sweep);
-  void record(const SweepKernels& kernels, int checks);
+  SweepKernels sweepKernels(std::span<const std::uint32_t> spirv, std::uint32_t blockV) const;
+  /// For devices with float64.
+  const SweepKernels& preciseSweeps();
+  SweepPush sweepPush() const;
+  void record(const SweepKernels& kernels, int sweeps);
   void resetState(double tolerance);
   void runUntil(const SweepKernels& kernels, double tolerance, long sweepLimit, RunLog& log);
 
@@ -44,7 +49,6 @@ class JacobiSolver {
   DeviceGrid& deviceGrid_;
   StrutEnergy energy_;
   std::uint32_t groupsU_;
-  std::uint32_t groupsV_;
   Buffer state_;
   Buffer partials_;
   Buffer samples_;
@@ -53,7 +57,7 @@ class JacobiSolver {
   TexelView restView_;
   TexelView stiffnessView_;
   SweepKernels sweeps_;
-  std::optional<SweepKernels> preciseSweeps_;  ///< Where the device computes in double precision.
+  std::optional<SweepKernels> preciseSweeps_;  ///< Compiled when they are first needed.
   ComputeKernel control_;
   CommandStream stream_;
 };

@@ -1,4 +1,7 @@
 // The sweep in single precision: the bulk of the work.
 #version 450
 #extension GL_GOOGLE_include_directive : require
+#include "shared/solver_types.h"
+const int kBlockU = int(kSweepBlockU);
+const int kBlockV = int(kSweepBlockV);
 #include "solve/sweep.glsl"

@@ -1,217 +1,306 @@
 // One sweep of Jacobi-style projective dynamics with Chebyshev acceleration: every strut and corner is
 // projected, every vertex takes the weighted mean of what its constraints want.
-// One invocation walks the layers of one column, so that vertical neighbours are loaded once.
+// One invocation walks the layers of a block of columns. Struts and corners depend on edges alone: their
+// gradients with respect to the block's edges are added up, and a vertex takes the difference of those
+// that end at it and those that leave it.
 // Differences of positions cancel: near equilibrium their rounding in single precision, and nothing
 // else, sets the smallest residual. With PRECISE they and their dot products are doubles.
+// Loops are unrolled and nothing branches: lavapipe runs both sides of a branch, and keeps what a loop
+// carries in masked memory. They count upwards between constants; of others compilers lose count, and
+// leave these arrays in memory.
+#extension GL_EXT_control_flow_attributes : require
 #include "shared/solver_types.h"
 #include "solve/arm.glsl"
 #include "solve/corner.glsl"
 
-layout(local_size_x = kSweepColumnsU, local_size_y = kSweepColumnsV) in;
-layout(constant_id = 0) const bool kMeasure = false;
-layout(constant_id = 1) const bool kPlanar = false;  // A single layer, moving in its plane.
+layout(local_size_x_id = 0) in;  // A subgroup: a part of a row of blocks.
+layout(constant_id = 1) const bool kMeasure = false;
+layout(constant_id = 2) const int kLayers = 0;  // 0: known at run time only; works for any number.
+layout(constant_id = 3) const bool kUniformStiffness = false;
 
-layout(binding = kBindingPositions) uniform isamplerBuffer positions;
-layout(std430, binding = kBindingNextPositions) buffer NextPositions { ivec4 next[]; };
-layout(binding = kBindingRest) uniform isamplerBuffer restLengths;
-layout(binding = kBindingStiffness) uniform samplerBuffer stiffnesses;
+// Images, although nothing is stored through them: lavapipe inlines their loads, but calls a function
+// for texelFetch.
+layout(binding = kBindingPositions, rgba32i) readonly uniform iimageBuffer positions;
+layout(binding = kBindingRest, rgba32i) readonly uniform iimageBuffer restLengths;
+layout(binding = kBindingStiffness, rgba32f) readonly uniform imageBuffer stiffnesses;
+// One buffer twice, as loads of texels are the faster ones. A vertex's entry is loaded, then stored, by
+// the one invocation that moves the vertex.
+layout(binding = kBindingPreviousPositions, rgba32i) readonly uniform iimageBuffer previous;
+layout(std430, binding = kBindingNextPositions) writeonly buffer NextPositions { ivec4 next[]; };
 layout(std430, binding = kBindingState) readonly buffer State { SolverState state; };
 layout(std430, binding = kBindingPartials) writeonly buffer Partials { vec4 partials[]; };
 layout(push_constant) uniform Push { SweepPush push; };
 
-shared vec4 sums[kSweepColumnsU * kSweepColumnsV];
+shared vec4 sums[kLargestSubgroup];
 
 // Spacings that a vertex may move in one sweep; keeps a wild start within the fixed-point range.
 const float kLargestMove = 1.0;
 const float kRelaxation = 0.9;
 
-Arm difference(ivec4 to, ivec4 from) { return armBetween(from, to, push.resolution); }
+// The block's columns are [1..kBlockV][1..kBlockU] of a ring that holds their neighbours too.
+const int kRingU = kBlockU + 2;
+const int kRingV = kBlockV + 2;
+#define FOR_RING(v, u) \
+  [[unroll]] for (int v = 0; v < kRingV; ++v) [[unroll]] for (int u = 0; u < kRingU; ++u)
+#define FOR_BLOCK(v, u) \
+  [[unroll]] for (int v = 1; v <= kBlockV; ++v) [[unroll]] for (int u = 1; u <= kBlockU; ++u)
 
-// p + delta; delta in steps of the fixed point.
-ivec4 moved(ivec4 p, vec3 delta) {
-  vec3 whole = floor(delta);
-  ivec3 extra = extraBits(p) + ivec3((delta - whole) * kExtraSteps + 0.5);
-  ivec3 xyz = p.xyz + ivec3(whole) + (extra >> int(kExtraBits));
-  extra &= kExtraMask;
-  return ivec4(xyz, extra.x | (extra.y << kExtraBits) | (extra.z << (2 * kExtraBits)));
-}
+// Gradient of the corners with respect to an edge: per angle weight, own edge + others.
+struct Turn {
+  float own;
+  vec3 others;
+};
+const Turn kNoTurn = Turn(0.0, vec3(0));
 
-// Adds up over the constraints of one vertex; gradients are with respect to the vertex.
-struct Pull {
-  vec3 struts;
-  vec3 corners;  // per angle weight
+// What a vertex needs of its own until its gradient is complete.
+struct Mover {
+  ivec4 position;
+  vec3 gradient;
+  float stepPerForce;
 };
 
-float energy = 0.0;  // of the column's own struts and apexes
+// Whether there may be vertical edges, as far as is known when the kernel is compiled; missing ones are
+// zero vectors.
+bool mayHaveUp, mayHaveDown;
+int ringIndex[kRingV][kRingU];  // of the bottom layer's vertices
+bool owned[kRingV][kRingU];     // whether the block's vertex is there, and may move
+float momentum;
+
+// The layer at hand; [v][u] is the vertex that an edge leaves.
+ivec4 here[kRingV][kRingU], above[kRingV][kRingU];
+Edge east[kRingV][kRingU], north[kRingV][kRingU], up[kRingV][kRingU], down[kRingV][kRingU];
+Turn eastTurn[kRingV][kRingU], northTurn[kRingV][kRingU];
+Turn upTurn[kRingV][kRingU], downTurn[kRingV][kRingU];
+float upPull[kRingV][kRingU], downPull[kRingV][kRingU];  // of the struts, per edge
+Mover movers[kRingV][kRingU], moversBelow[kRingV][kRingU];
+
+float energy = 0.0;  // of the block's own struts and apexes
 float squaredGradient = 0.0;
 float gradientAlongVelocity = 0.0;
 
-// Gradient of w c (|e| - L)^2 at the end of e; rest in steps of push.restResolution.
-vec3 strutGradient(Arm e, Squared ee, int rest, float stiffness) {
-  float squaredLength = max(float(ee), 1e-20);
-  return 2.0 * stiffness * lengthExcess(ee, rest, push.restResolution) *
-         inversesqrt(squaredLength) * vec3(e);
-}
+Edge edge(ivec4 from, ivec4 to) { return edgeBetween(from, to, push.resolution); }
 
-float strutEnergy(Squared ee, int rest, float stiffness) {
-  float excess = lengthExcess(ee, rest, push.restResolution);
-  return stiffness * excess * excess;
-}
-
-// A corner at this vertex; returns the pull on the end of b.
-vec3 addApex(inout Pull pull, Arm a, Arm b, Squared aa, Squared bb) {
-  Corner corner = projectCorner(a, b, aa, bb);
-  pull.corners -= (corner.own + corner.other) * vec3(a + b);
-  if (kMeasure) {
-    energy += push.angleWeight * corner.energy;
-  }
-  return corner.own * vec3(b) + corner.other * vec3(a);
-}
-
-// A corner at a neighbour: a leads from there to this vertex, b to another one.
-void addArm(inout Pull pull, Arm a, Arm b, Squared aa) {
-  Corner corner = projectCorner(a, b, aa, dot(b, b));
-  pull.corners += corner.own * vec3(a) + corner.other * vec3(b);
-}
-
-void finish(int index, ivec4 position, Pull pull, float stepPerForce, float momentum) {
-  ivec4 previous = next[index];
-  vec3 velocity = stepsBetween(previous, position);
-  vec3 gradient = pull.struts + push.angleWeight * pull.corners;
-  vec3 jump = -(1.0 + momentum) * kRelaxation * stepPerForce / push.resolution * gradient;
-  float largest = kLargestMove / push.resolution;
-  next[index] = moved(position, clamp(momentum * velocity + jump, -largest, largest));
-  if (kMeasure) {
-    squaredGradient += dot(gradient, gradient);
-    gradientAlongVelocity += dot(gradient, velocity) * push.resolution;
+// Beyond the border a neighbour is the vertex itself, its edge the zero vector.
+void findRing() {
+  ivec2 first = ivec2(gl_GlobalInvocationID.xy) * ivec2(kBlockU, kBlockV) - 1;
+  ivec2 size = ivec2(push.verticesU, push.verticesV);
+  FOR_RING(v, u) {
+    ivec2 column = first + ivec2(u, v);
+    ivec2 nearest = clamp(column, ivec2(0), size - 1);
+    ringIndex[v][u] = nearest.y * push.verticesU + nearest.x;
+    owned[v][u] = state.done == 0u && column == nearest;
   }
 }
 
-// The column's neighbours in one layer.
-struct Ring {
-  ivec4 center, west, east, south, north;
-};
-
-void sweepColumn(ivec2 column) {
-  int rowLength = push.verticesU;
-  int layerLength = push.verticesU * push.verticesV;
-  int center = column.y * rowLength + column.x;
-  // Beyond the border a neighbour is the vertex itself, its arm the zero vector.
-  int west = column.x > 0 ? -1 : 0;
-  int east = column.x + 1 < push.verticesU ? 1 : 0;
-  int south = column.y > 0 ? -rowLength : 0;
-  int north = column.y + 1 < push.verticesV ? rowLength : 0;
-
-  // Chebyshev semi-iteration whose assumed condition grows with the sweeps since the last restart.
+// Chebyshev semi-iteration whose assumed condition grows with the sweeps since the last restart.
+float chebyshevMomentum() {
   float sweeps = float(state.sweepsSinceRestart + push.sweep);
-  float momentum = sweeps / (sweeps + 2.0);
-  momentum *= momentum;
+  float root = sweeps / (sweeps + 2.0);
+  return root * root;
+}
 
-  Ring here = Ring(texelFetch(positions, center), texelFetch(positions, center + west),
-                   texelFetch(positions, center + east), texelFetch(positions, center + south),
-                   texelFetch(positions, center + north));
-  ivec4 below = here.center;
-  Arm downWest = Arm(0), downEast = Arm(0), downSouth = Arm(0), downNorth = Arm(0);
-  Arm down = Arm(0);
-  vec3 downStrutGradient = vec3(0);  // of the strut below, at its upper end
-  Pull belowPull = Pull(vec3(0), vec3(0));
-  float belowStep = 0.0;
-  vec3 carriedUp = vec3(0);  // pull of the corners below on this vertex
-
-  for (int layer = 0; layer < push.layers; ++layer) {
-    int index = center + layer * layerLength;
-    ivec4 rest = texelFetch(restLengths, index);
-    vec4 stiffness = texelFetch(stiffnesses, index);
-
-    Arm e = difference(here.east, here.center), w = difference(here.west, here.center);
-    Arm n = difference(here.north, here.center), s = difference(here.south, here.center);
-    Squared ee = dot(e, e), ww = dot(w, w), nn = dot(n, n), ss = dot(s, s);
-
-    Pull pull = Pull(vec3(0), carriedUp);
-    pull.struts -= strutGradient(e, ee, rest.x, stiffness.x);
-    pull.struts -= strutGradient(n, nn, rest.y, stiffness.y);
-    pull.struts -= strutGradient(w, ww, texelFetch(restLengths, index + west).x,
-                                 texelFetch(stiffnesses, index + west).x);
-    pull.struts -= strutGradient(s, ss, texelFetch(restLengths, index + south).y,
-                                 texelFetch(stiffnesses, index + south).y);
-    if (kMeasure) {
-      energy += strutEnergy(ee, rest.x, stiffness.x) + strutEnergy(nn, rest.y, stiffness.y);
+void layEdges() {
+  FOR_RING(v, u) {
+    if (u + 1 < kRingU) {
+      east[v][u] = edge(here[v][u], here[v][u + 1]);
     }
-
-    addApex(pull, e, n, ee, nn);
-    addApex(pull, e, s, ee, ss);
-    addApex(pull, w, n, ww, nn);
-    addApex(pull, w, s, ww, ss);
-
-    Arm northEast = difference(texelFetch(positions, index + north + east), here.center);
-    Arm northWest = difference(texelFetch(positions, index + north + west), here.center);
-    Arm southEast = difference(texelFetch(positions, index + south + east), here.center);
-    Arm southWest = difference(texelFetch(positions, index + south + west), here.center);
-    addArm(pull, -e, northEast - e, ee);
-    addArm(pull, -e, southEast - e, ee);
-    addArm(pull, -w, northWest - w, ww);
-    addArm(pull, -w, southWest - w, ww);
-    addArm(pull, -n, northEast - n, nn);
-    addArm(pull, -n, northWest - n, nn);
-    addArm(pull, -s, southEast - s, ss);
-    addArm(pull, -s, southWest - s, ss);
-
-    if (kPlanar) {
-      finish(index, here.center, pull, intBitsToFloat(rest.w), momentum);
-      return;
+    if (v + 1 < kRingV) {
+      north[v][u] = edge(here[v][u], here[v + 1][u]);
     }
+    up[v][u] = edge(here[v][u], above[v][u]);
+    eastTurn[v][u] = northTurn[v][u] = upTurn[v][u] = kNoTurn;
+  }
+}
 
-    int up = layer + 1 < push.layers ? layerLength : 0;
-    Ring above = Ring(texelFetch(positions, index + up), texelFetch(positions, index + up + west),
-                      texelFetch(positions, index + up + east),
-                      texelFetch(positions, index + up + south),
-                      texelFetch(positions, index + up + north));
-    Arm u = difference(above.center, here.center);
-    Arm upEast = difference(above.east, here.east), upWest = difference(above.west, here.west);
-    Arm upNorth = difference(above.north, here.north);
-    Arm upSouth = difference(above.south, here.south);
-    Squared uu = dot(u, u), dd = dot(down, down);
+// A corner at a vertex of the block: both its edges are the block's.
+void turnBoth(bool counted, Edge a, Edge b, inout Turn turnOfA, inout Turn turnOfB) {
+  Corner corner = projectCorner(a, b);
+  turnOfA.own += corner.own;
+  turnOfB.own += corner.own;
+  turnOfA.others += corner.other * vec3(b.arm);
+  turnOfB.others += corner.other * vec3(a.arm);
+  if (kMeasure) {
+    energy += counted ? push.angleWeight * corner.energy : 0.0;
+  }
+}
 
-    vec3 upStrutGradient = strutGradient(u, uu, rest.z, stiffness.z);
-    pull.struts += downStrutGradient - upStrutGradient;
-    if (kMeasure) {
-      energy += strutEnergy(uu, rest.z, stiffness.z);
+// A corner at a neighbour of the block: only the edge a leads to the block.
+void turnOne(Edge a, Edge b, inout Turn turnOfA) {
+  Corner corner = projectCorner(a, b);
+  turnOfA.own += corner.own;
+  turnOfA.others += corner.other * vec3(b.arm);
+}
+
+void turnWithin() {
+  FOR_BLOCK(v, u) {
+    bool counted = owned[v][u];
+    [[unroll]] for (int side = 0; side < 2; ++side) {
+      int w = u - side;  // the edge to the east, then to the west
+      int s = v - side;
+      turnBoth(counted, east[v][w], north[v - 1][u], eastTurn[v][w], northTurn[v - 1][u]);
+      turnBoth(counted, east[v][w], north[v][u], eastTurn[v][w], northTurn[v][u]);
+      if (mayHaveUp) {
+        turnBoth(counted, east[v][w], up[v][u], eastTurn[v][w], upTurn[v][u]);
+        turnBoth(counted, north[s][u], up[v][u], northTurn[s][u], upTurn[v][u]);
+      }
+      if (mayHaveDown) {
+        turnBoth(counted, east[v][w], down[v][u], eastTurn[v][w], downTurn[v][u]);
+        turnBoth(counted, north[s][u], down[v][u], northTurn[s][u], downTurn[v][u]);
+      }
     }
+  }
+}
 
-    carriedUp = addApex(pull, e, u, ee, uu);
-    carriedUp += addApex(pull, w, u, ww, uu);
-    carriedUp += addApex(pull, n, u, nn, uu);
-    carriedUp += addApex(pull, s, u, ss, uu);
-    belowPull.corners += addApex(pull, e, down, ee, dd);
-    belowPull.corners += addApex(pull, w, down, ww, dd);
-    belowPull.corners += addApex(pull, n, down, nn, dd);
-    belowPull.corners += addApex(pull, s, down, ss, dd);
+// The corners at an apex outside of the block; `a` leads from there to the block.
+void turnOutside(ivec2 apex, Edge a, Edge before, Edge after, inout Turn turn) {
+  turnOne(a, before, turn);
+  turnOne(a, after, turn);
+  if (mayHaveUp) {
+    turnOne(a, up[apex.y][apex.x], turn);
+  }
+  if (mayHaveDown) {
+    turnOne(a, down[apex.y][apex.x], turn);
+  }
+}
 
-    addArm(pull, -e, upEast, ee);
-    addArm(pull, -e, downEast, ee);
-    addArm(pull, -w, upWest, ww);
-    addArm(pull, -w, downWest, ww);
-    addArm(pull, -n, upNorth, nn);
-    addArm(pull, -n, downNorth, nn);
-    addArm(pull, -s, upSouth, ss);
-    addArm(pull, -s, downSouth, ss);
+void turnAround() {
+  [[unroll]] for (int side = 0; side < 2; ++side) {
+    int apexU = side * (kRingU - 1), edgeU = side * kBlockU;
+    [[unroll]] for (int v = 1; v <= kBlockV; ++v) {
+      turnOutside(ivec2(apexU, v), east[v][edgeU], north[v - 1][apexU], north[v][apexU],
+                  eastTurn[v][edgeU]);
+    }
+    int apexV = side * (kRingV - 1), edgeV = side * kBlockV;
+    [[unroll]] for (int u = 1; u <= kBlockU; ++u) {
+      turnOutside(ivec2(u, apexV), north[edgeV][u], east[apexV][u - 1], east[apexV][u],
+                  northTurn[edgeV][u]);
+    }
+  }
+}
 
+// The strut's gradient per edge: 2 w c (1 - L / |e|).
+float strutPull(bool counted, Edge e, int rest, float stiffness) {
+  float stretch = relativeStretch(e, rest, push.restResolution);
+  if (kMeasure) {
+    energy += counted ? stiffness * stretch * stretch * float(e.square) : 0.0;
+  }
+  return 2.0 * stiffness * stretch;
+}
+
+vec3 edgeGradient(Edge e, float pull, Turn turn) {
+  return (pull + push.angleWeight * turn.own) * vec3(e.arm) + push.angleWeight * turn.others;
+}
+
+vec3 stiffnessAt(int index) {
+  return kUniformStiffness
+             ? vec3(push.lateralStiffness, push.lateralStiffness, push.verticalStiffness)
+             : imageLoad(stiffnesses, index).xyz;
+}
+
+// The edge east of [v][u] pulls both its ends.
+void pullEast(int v, int u, bool counted, int rest, float stiffness) {
+  float pull = strutPull(counted, east[v][u], rest, stiffness);
+  vec3 gradient = edgeGradient(east[v][u], pull, eastTurn[v][u]);
+  movers[v][u].gradient -= gradient;
+  movers[v][u + 1].gradient += gradient;
+}
+
+void pullNorth(int v, int u, bool counted, int rest, float stiffness) {
+  float pull = strutPull(counted, north[v][u], rest, stiffness);
+  vec3 gradient = edgeGradient(north[v][u], pull, northTurn[v][u]);
+  movers[v][u].gradient -= gradient;
+  movers[v + 1][u].gradient += gradient;
+}
+
+// Vertical edges wait for the corners of the layer above.
+void pullLayer(int start) {
+  FOR_RING(v, u) { movers[v][u] = Mover(here[v][u], vec3(0), 0.0); }
+  FOR_BLOCK(v, u) {
+    ivec4 rest = imageLoad(restLengths, start + ringIndex[v][u]);
+    vec3 stiffness = stiffnessAt(start + ringIndex[v][u]);
+    movers[v][u].stepPerForce = intBitsToFloat(rest.w);
+    pullEast(v, u, owned[v][u], rest.x, stiffness.x);
+    pullNorth(v, u, owned[v][u], rest.y, stiffness.y);
+    upPull[v][u] = strutPull(owned[v][u], up[v][u], rest.z, stiffness.z);
+  }
+  [[unroll]] for (int v = 1; v <= kBlockV; ++v) {
+    int west = start + ringIndex[v][0];
+    pullEast(v, 0, false, imageLoad(restLengths, west).x, stiffnessAt(west).x);
+  }
+  [[unroll]] for (int u = 1; u <= kBlockU; ++u) {
+    int south = start + ringIndex[0][u];
+    pullNorth(0, u, false, imageLoad(restLengths, south).y, stiffnessAt(south).y);
+  }
+}
+
+void move(int index, bool allowed, Mover mover) {
+  vec3 velocity = stepsBetween(imageLoad(previous, index), mover.position);
+  vec3 jump =
+      -(1.0 + momentum) * kRelaxation * mover.stepPerForce / push.resolution * mover.gradient;
+  float largest = kLargestMove / push.resolution;
+  ivec4 position =
+      moved(mover.position, clamp(momentum * velocity + jump, -largest, largest));
+  if (allowed) {
+    next[index] = position;
+  }
+  if (kMeasure && allowed) {
+    squaredGradient += dot(mover.gradient, mover.gradient);
+    gradientAlongVelocity += dot(mover.gradient, velocity) * push.resolution;
+  }
+}
+
+// The layer below is complete once the corners of this one have turned the edges between them.
+void moveBelow(int startOfLayerBelow) {
+  FOR_BLOCK(v, u) {
+    vec3 gradient = edgeGradient(down[v][u], downPull[v][u], downTurn[v][u]);
+    moversBelow[v][u].gradient -= gradient;
+    movers[v][u].gradient += gradient;
+    move(startOfLayerBelow + ringIndex[v][u], owned[v][u], moversBelow[v][u]);
+  }
+}
+
+void moveTop(int layerStart) {
+  FOR_BLOCK(v, u) { move(layerStart + ringIndex[v][u], owned[v][u], movers[v][u]); }
+}
+
+void goUp() {
+  here = above;
+  down = up;
+  downTurn = upTurn;
+  downPull = upPull;
+  moversBelow = movers;
+}
+
+void sweepColumns() {
+  int layers = kLayers > 0 ? kLayers : push.layers;
+  int layerLength = push.verticesU * push.verticesV;
+  FOR_RING(v, u) {
+    here[v][u] = imageLoad(positions, ringIndex[v][u]);
+    down[v][u] = Edge(Arm(0), Squared(0), 0.0);
+    downTurn[v][u] = kNoTurn;
+    downPull[v][u] = 0.0;
+  }
+  [[unroll]] for (int layer = 0; layer < layers; ++layer) {
+    int start = layer * layerLength;
+    bool isTop = layer + 1 == layers;
+    mayHaveUp = kLayers == 0 || !isTop;
+    mayHaveDown = kLayers == 0 || layer > 0;
+    int startAbove = isTop ? start : start + layerLength;
+    FOR_RING(v, u) {
+      above[v][u] =
+          mayHaveUp ? imageLoad(positions, startAbove + ringIndex[v][u]) : here[v][u];
+    }
+    layEdges();
+    turnWithin();
+    turnAround();
+    pullLayer(start);
     if (layer > 0) {
-      finish(index - layerLength, below, belowPull, belowStep, momentum);
+      moveBelow(start - layerLength);
     }
-    if (layer + 1 == push.layers) {
-      finish(index, here.center, pull, intBitsToFloat(rest.w), momentum);
+    if (isTop) {
+      moveTop(start);
     }
-    below = here.center;
-    belowPull = pull;
-    belowStep = intBitsToFloat(rest.w);
-    down = -u;
-    downEast = -upEast;
-    downWest = -upWest;
-    downNorth = -upNorth;
-    downSouth = -upSouth;
-    downStrutGradient = upStrutGradient;
-    here = above;
+    goUp();
   }
 }
 
@@ -219,7 +308,7 @@ void sweepColumn(ivec2 column) {
 void writePartials() {
   uint lane = gl_LocalInvocationIndex;
   sums[lane] = vec4(energy, squaredGradient, gradientAlongVelocity, 0.0);
-  for (uint stride = kSweepColumnsU * kSweepColumnsV / 2u; stride > 0u; stride /= 2u) {
+  for (uint stride = gl_WorkGroupSize.x / 2u; stride > 0u; stride /= 2u) {
     barrier();
     if (lane < stride) {
       sums[lane] += sums[lane + stride];
@@ -231,10 +320,9 @@ void writePartials() {
 }
 
 void main() {
-  ivec2 column = ivec2(gl_GlobalInvocationID.xy);
-  if (state.done == 0u && column.x < push.verticesU && column.y < push.verticesV) {
-    sweepColumn(column);
-  }
+  findRing();
+  momentum = chebyshevMomentum();
+  sweepColumns();
   if (kMeasure) {
     writePartials();
   }

@@ -2,4 +2,7 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 #define PRECISE
+#include "shared/solver_types.h"
+const int kBlockU = int(kSweepBlockU);
+const int kBlockV = int(kPreciseSweepBlockV);
 #include "solve/sweep.glsl"

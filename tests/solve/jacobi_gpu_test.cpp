@@ -58,7 +58,7 @@ TEST_P(JacobiShapes, AgreesWithTheOracle) {
   EXPECT_LT(largestAlignedDistance(result.positions, expected.positions), 1e-3);
 }
 
-// None is a multiple of the workgroup, 8 x 16.
+// They fill neither blocks of columns nor workgroups.
 INSTANTIATE_TEST_SUITE_P(OddShapes, JacobiShapes,
                          testing::Values(GridShape{2, 2, 1}, GridShape{2, 2, 2},
                                          GridShape{9, 17, 1}, GridShape{17, 3, 2},

@@ -3,6 +3,7 @@
 #include <immintrin.h>
 
 #include <algorithm>
+#include <barrier>
 #include <thread>
 
 #include "solve/energy.h"
@@ -223,7 +224,7 @@ void Avx2Sweep::projectRow(int j, int k, Window& window) {
 }
 
 void Avx2Sweep::updateRow(int j, int k, Window& window) {
-  const Floats relaxation = Floats::all(-kRelaxation);
+  const Floats relaxation = Floats::all(-(1 + momentum_) * kRelaxation);
   for (int i = 0; i < shape_.verticesU; i += kLanes) {
     const std::size_t n = offset(i, j, k);
     const std::size_t g = window.row(j, k) + i;
@@ -262,16 +263,29 @@ void Avx2Sweep::sweepRows(int begin, int end, Window& window) {
   }
 }
 
+void Avx2Sweep::beginSweep(int sweep) {
+  const float root = static_cast<float>(sweep) / static_cast<float>(sweep + 2);
+  momentum_ = root * root;
+}
+
 void Avx2Sweep::run(int count) {
-  const int middle = shape_.verticesV / 2;
-  Window lower(pitch_, shape_.layers);
-  Window upper(pitch_, shape_.layers);
-  for (int sweep = 0; sweep < count; ++sweep) {
-    std::thread helper([&] { sweepRows(0, middle, lower); });
-    sweepRows(middle, shape_.verticesV, upper);
-    helper.join();
+  int sweep = 0;
+  beginSweep(sweep);
+  std::barrier together(2, [&]() noexcept {
     std::swap(now_, next_);
-  }
+    beginSweep(++sweep);
+  });
+  const auto sweepAll = [&](int begin, int end) {
+    Window window(pitch_, shape_.layers);
+    for (int n = 0; n < count; ++n) {
+      sweepRows(begin, end, window);
+      together.arrive_and_wait();
+    }
+  };
+  const int middle = shape_.verticesV / 2;
+  std::thread helper([&] { sweepAll(0, middle); });
+  sweepAll(middle, shape_.verticesV);
+  helper.join();
 }
 
 Eigen::Matrix3Xd Avx2Sweep::positions() const {

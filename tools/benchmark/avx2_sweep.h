@@ -15,7 +15,8 @@ class Avx2Sweep {
 
   static bool isSupported();
 
-  /// `count` sweeps without momentum from the present state.
+  /// `count` sweeps from the present state, the first without momentum, on this thread and one
+  /// more.
   void run(int count);
 
   /// 3 x vertexCount, in the scene's unit of length.
@@ -31,6 +32,7 @@ class Avx2Sweep {
   void sweepRows(int begin, int end, Window& window);
   void projectRow(int j, int k, Window& window);
   void updateRow(int j, int k, Window& window);
+  void beginSweep(int sweep);
 
   GridShape shape_;
   double spacing_;
@@ -38,7 +40,7 @@ class Avx2Sweep {
   Eigen::Vector3d origin_;
   int pitch_;  ///< Floats from one row to the next, with room for a vector before and after.
   Fields now_, next_;
-  float momentum_ = 0;
+  float momentum_ = 0;  ///< Of the present sweep, as in chebyshevMomentum() of sweep.glsl.
   std::vector<float> restU_, restV_, restW_, stiffnessU_, stiffnessV_, stiffnessW_, stepPerForce_;
 };
 
