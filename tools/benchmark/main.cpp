@@ -149,7 +149,11 @@ int runBenchmark(int argc, char** argv) {
       ->capture_default_str();
   app.add_option("--device", selection, "index or part of the name of a Vulkan device");
   app.add_option("--json", jsonFile, "also write the figures to this file");
-  CLI11_PARSE(app, argc, argv);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : 2;
+  }
   if (!Avx2Sweep::isSupported()) {
     std::cerr << "bench: this processor has no AVX2: the peer cannot run\n";
     return 4;
