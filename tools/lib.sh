@@ -4,6 +4,9 @@
 tools_folder=$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")
 root=$(dirname "$tools_folder")
 
+# Clones and worktrees share what ccache holds.
+export CCACHE_BASEDIR=$root CCACHE_NOHASHDIR=1
+
 trap 'exit 130' INT # Ctrl-C in a build is no failed build.
 
 say() { printf '%s\n' "$*" >&2; }

@@ -1,0 +1,24 @@
+#pragma once
+#include <vector>
+
+#include "design/grid_design.h"
+
+namespace morphgrid {
+
+/// What a cutoff p would mean for the grid.
+struct CutoffConsequence {
+  double cutoff;             ///< p
+  double curvatureLimit;     ///< |kappa| at p, 1 / length.
+  double layerSpacingLimit;  ///< Eq. 21; infinite when nothing bends.
+  double fewestNodes;        ///< Eq. 23, along the longer direction; a real number, it may be huge.
+};
+
+/// For p = 0.5, 0.9, 0.95, 0.99 and 1.
+std::vector<CutoffConsequence> listCutoffConsequences(const SurfaceSurvey& survey,
+                                                      const DesignRequest& request);
+
+/// The largest p, in hundredths, at which neither the layer spacing is clamped nor nodes are
+/// raised; at least 0.01.
+double suggestCutoff(const SurfaceSurvey& survey, const DesignRequest& request);
+
+}  // namespace morphgrid
