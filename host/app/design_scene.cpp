@@ -2,23 +2,42 @@
 
 #include <fmt/format.h>
 
+#include "app/mesh_sampler.h"
 #include "core/error.h"
+#include "measure/mesh_measurement.h"
 
 namespace morphgrid {
 namespace {
 
+SceneDesign designMeasured(const SurfaceSurvey& survey, const GridSize& size, int layers,
+                           SurfaceMeasurement measurement) {
+  SceneDesign designed{
+      designGrid(measurement, size, layers),
+      MeasurementFigures{survey.longestIsolineU, survey.longestIsolineV, survey.largestCurvature(),
+                         size.layerSpacingLimit, size.fewestNodes},
+      std::move(measurement.points), std::nullopt, size.notices};
+  const std::vector<std::string>& more = designed.design.notices;
+  designed.notices.insert(designed.notices.end(), more.begin(), more.end());
+  return designed;
+}
+
 SceneDesign designFromSurface(const Surface& surface, const DesignRequest& request) {
   const SurfaceSurvey survey = surveySurface(surface);
   const GridSize size = chooseGridSize(survey, request);
-  SurfaceMeasurement measurement =
-      measureSurface(surface, size.nodesU, size.nodesV, size.curvatureLimit);
-  SceneDesign designed{
-      designGrid(measurement, size, request.layers),
-      MeasurementFigures{survey.longestIsolineU, survey.longestIsolineV, survey.largestCurvature(),
-                         size.layerSpacingLimit, size.fewestNodes},
-      std::move(measurement.points), size.notices};
-  const std::vector<std::string>& more = designed.design.notices;
-  designed.notices.insert(designed.notices.end(), more.begin(), more.end());
+  return designMeasured(survey, size, request.layers,
+                        measureSurface(surface, size.nodesU, size.nodesV, size.curvatureLimit));
+}
+
+SceneDesign designFromMesh(const MeshTarget& target, const DesignRequest& request) {
+  MeshSampler sampler(target);
+  RayHits hits = sampler.cast(target.samplesU, target.samplesV);
+  const MeshSurvey survey = surveyMesh(hits, target.smoothingWidth);
+  const GridSize size = chooseGridSize(survey.survey, request);
+  const RayHits vertexHits = sampler.cast(size.nodesU + 1, size.nodesV + 1);
+  SceneDesign designed =
+      designMeasured(survey.survey, size, request.layers,
+                     measureMesh(vertexHits, size.curvatureLimit, target.smoothingWidth));
+  designed.sampling = MeshSampling{std::move(hits), sampler.figures()};
   return designed;
 }
 
@@ -35,7 +54,10 @@ SceneDesign designScene(const Scene& scene) {
     if (scene.surface) {
       return designFromSurface(*scene.surface, scene.design);
     }
-    return {designFromBendAngles(*scene.bendAngles), std::nullopt, std::nullopt, {}};
+    if (scene.mesh) {
+      return designFromMesh(*scene.mesh, scene.design);
+    }
+    return {designFromBendAngles(*scene.bendAngles), {}, {}, {}, {}};
   } catch (const InputError& error) {
     throw InputError(fmt::format("{}: {}", scene.file.string(), error.what()));
   }
@@ -52,6 +74,9 @@ RunRecord recordOf(const Scene& scene, const SceneDesign& designed) {
                  design.layerSpacing,
                  100 * largestBendShrink(design)};
   record.measurement = designed.measurement;
+  if (designed.sampling) {
+    record.mesh = designed.sampling->figures;
+  }
   record.published = scene.published;
   record.notices = designed.notices;
   return record;

@@ -3,11 +3,18 @@
 
 namespace morphgrid {
 
+/// How rays sampled a mesh in the first pass.
+struct MeshSampling {
+  RayHits hits;
+  MeshFigures figures;
+};
+
 /// The inverse design of a scene, and what was measured for it.
 struct SceneDesign {
   GridDesign design;
   std::optional<MeasurementFigures> measurement;  ///< Not for grids given by bend angles.
   std::optional<Eigen::Matrix3Xd> targets;  ///< Of the middle layer's vertices, in index order.
+  std::optional<MeshSampling> sampling;     ///< Only of meshes.
   std::vector<std::string> notices;         ///< What was clamped or overridden.
 };
 

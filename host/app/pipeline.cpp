@@ -73,6 +73,11 @@ void solve(Stage& stage, const char* name, const Scene& scene, const RunOptions&
   }
 }
 
+ClosestPointQuery closestPointsOfTarget(const Scene& scene) {
+  return scene.mesh ? ClosestPointQuery(scene.mesh->mesh.vertices, scene.mesh->mesh.triangles)
+                    : closestPointsOf(*scene.surface);
+}
+
 /// Brings the result to where the target lies; without a target, to where it was printed.
 Eigen::Isometry3d alignResult(const Stage& stage, const std::optional<Eigen::Matrix3Xd>& targets) {
   const Eigen::Matrix3Xd& positions = stage.equilibrium.positions;
@@ -172,7 +177,7 @@ RunRecord runScene(const Scene& scene, const RunOptions& options) {
   record.errors = computeStrutErrors(designed.design, stage.grid, positions);
   if (designed.targets) {
     record.distance = computeTargetDistance(middleLayer(stage.grid.shape, positions),
-                                            *designed.targets, *scene.surface);
+                                            *designed.targets, closestPointsOfTarget(scene));
   }
   const Eigen::Isometry3d targetFromGrid = alignResult(stage, designed.targets);
   if (hands.pictures) {

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "app/mesh_target.h"
 #include "design/grid_design.h"
 #include "grid/build_grids.h"
 #include "report/run_record.h"
@@ -28,12 +29,13 @@ struct FileChoices {
   bool obj = true;
 };
 
-/// One scene file, read and checked. Exactly one of surface and bendAngles is set.
+/// One scene file, read and checked. Exactly one of surface, mesh and bendAngles is set.
 struct Scene {
   std::string name;   ///< The file's stem.
   std::string title;  ///< For people; the name when the file has none.
   std::filesystem::path file;
   std::shared_ptr<const Surface> surface;
+  std::shared_ptr<const MeshTarget> mesh;
   std::optional<BendAngleRequest> bendAngles;
   DesignRequest design;
   Weights weights;

@@ -1,7 +1,9 @@
 #include "app/scene_target.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <algorithm>
 #include <limits>
 #include <numbers>
 
@@ -11,38 +13,55 @@
 namespace morphgrid {
 namespace {
 
-enum class SurfaceKind { bezier, bendAngles };
+enum class SurfaceKind { bezier, mesh, bendAngles };
 
 constexpr const char* kindName(SurfaceKind kind) {
-  return kind == SurfaceKind::bezier ? "bezier" : "bend_angles";
+  switch (kind) {
+    case SurfaceKind::bezier:
+      return "bezier";
+    case SurfaceKind::mesh:
+      return "mesh";
+    case SurfaceKind::bendAngles:
+      break;
+  }
+  return "bend_angles";
+}
+
+std::vector<const char*> namesOf(const std::vector<SurfaceKind>& kinds) {
+  std::vector<const char*> names;
+  for (const SurfaceKind kind : kinds) names.push_back(kindName(kind));
+  return names;
 }
 
 std::optional<SurfaceKind> readKind(TomlSection& surface) {
   const auto kind = surface.choice<SurfaceKind>(
       "kind", {{kindName(SurfaceKind::bezier), SurfaceKind::bezier},
+               {kindName(SurfaceKind::mesh), SurfaceKind::mesh},
                {kindName(SurfaceKind::bendAngles), SurfaceKind::bendAngles}});
   surface.require("kind");
   return kind;
 }
 
 void rejectKeysOfOtherKinds(SurfaceKind kind, TomlSection& surface, TomlSection& grid) {
-  struct KindKey {
-    SurfaceKind kind;
+  struct KindKeys {
+    std::vector<SurfaceKind> kinds;
     TomlSection& section;
-    const char* key;
+    std::vector<const char*> keys;
   };
   using enum SurfaceKind;
-  const KindKey keys[] = {
-      {bezier, surface, "patch"},       {bendAngles, surface, "theta_u"},
-      {bendAngles, surface, "theta_v"}, {bendAngles, surface, "spacing"},
-      {bezier, grid, "nodes_long"},     {bendAngles, grid, "nodes_u"},
-      {bendAngles, grid, "nodes_v"},    {bezier, grid, "curvature_cutoff"},
+  const KindKeys all[] = {
+      {{bezier}, surface, {"patch"}},
+      {{mesh}, surface, {std::begin(kMeshKeys), std::end(kMeshKeys)}},
+      {{bendAngles}, surface, {"theta_u", "theta_v", "spacing"}},
+      {{bezier, mesh}, grid, {"nodes_long", "curvature_cutoff"}},
+      {{bendAngles}, grid, {"nodes_u", "nodes_v"}},
   };
-  for (const KindKey& entry : keys) {
-    if (entry.kind == kind) continue;
-    entry.section.reject(entry.key,
-                         fmt::format("belongs to surfaces of kind \"{}\", this one is \"{}\"",
-                                     kindName(entry.kind), kindName(kind)));
+  for (const auto& [kinds, section, keys] : all) {
+    if (std::find(kinds.begin(), kinds.end(), kind) != kinds.end()) continue;
+    for (const char* key : keys) {
+      section.reject(key, fmt::format("belongs to surfaces of kind \"{}\", this one is \"{}\"",
+                                      fmt::join(namesOf(kinds), "\" or \""), kindName(kind)));
+    }
   }
 }
 
@@ -118,6 +137,7 @@ SceneTarget readSceneTarget(TomlReader& reader, const std::filesystem::path& fol
 
   // All keys are read whatever the kind is: that finds every problem, and all names are known.
   const std::optional<std::string> patch = surface.text("patch");
+  MeshKeys meshKeys = readMeshKeys(surface);
   const DesignRequest design = readDesign(grid);
   const BendAngleRequest bendAngles = readBendAngles(surface, grid, design);
 
@@ -125,14 +145,18 @@ SceneTarget readSceneTarget(TomlReader& reader, const std::filesystem::path& fol
   if (kind == SurfaceKind::bezier) {
     surface.require("patch");
     if (patch) target.surface = readPatchOfScene(reader, surface, folder / *patch);
-    // The shorter direction is not known before the patch is measured: it has at least one node.
-    checkVertexCount(reader, grid, "nodes_long", design.nodesLong, 1, design.layers);
+  } else if (kind == SurfaceKind::mesh) {
+    target.mesh = loadMeshTarget(reader, surface, std::move(meshKeys), folder);
   } else if (kind == SurfaceKind::bendAngles) {
     grid.require("nodes_u");
     grid.require("nodes_v");
     const char* key = bendAngles.nodesU >= bendAngles.nodesV ? "nodes_u" : "nodes_v";
     checkVertexCount(reader, grid, key, bendAngles.nodesU, bendAngles.nodesV, design.layers);
     target.bendAngles = bendAngles;
+  }
+  if (kind == SurfaceKind::bezier || kind == SurfaceKind::mesh) {
+    // The shorter direction is not known before the surface is measured: it has at least one node.
+    checkVertexCount(reader, grid, "nodes_long", design.nodesLong, 1, design.layers);
   }
   return target;
 }

@@ -11,12 +11,13 @@ namespace morphgrid {
 /// What a scene asks for: [surface] and [grid], whose keys depend on the kind of surface.
 struct SceneTarget {
   std::shared_ptr<const Surface> surface;
+  std::shared_ptr<const MeshTarget> mesh;
   std::optional<BendAngleRequest> bendAngles;
   DesignRequest design;
 };
 
-/// Patches are looked up from `folder`. Problems, those of the patch file too, go to the reader;
-/// without problems exactly one of surface and bendAngles is set.
+/// Patches and meshes are looked up from `folder`. Problems, those of their files too, go to the
+/// reader; without problems exactly one of surface, mesh and bendAngles is set.
 SceneTarget readSceneTarget(TomlReader& reader, const std::filesystem::path& folder);
 
 }  // namespace morphgrid

@@ -62,19 +62,6 @@ class LateralErrors {
   int count_ = 0;
 };
 
-ClosestPointQuery closestPointQuery(const Surface& surface) {
-  constexpr int kPoints = kTargetCells + 1;
-  Matrix3Xd points(3, kPoints * kPoints);
-  for (int j = 0; j < kPoints; ++j) {
-    for (int i = 0; i < kPoints; ++i) {
-      points.col(j * kPoints + i) =
-          surface.point(double(i) / kTargetCells, double(j) / kTargetCells);
-    }
-  }
-  const SurfaceMesh mesh = tessellate(kPoints, kPoints, points, 1);
-  return {mesh.vertices, mesh.triangles};
-}
-
 }  // namespace
 
 StrutErrors computeStrutErrors(const GridDesign& design, const StrutGrid& grid,
@@ -94,19 +81,31 @@ StrutErrors computeStrutErrors(const GridDesign& design, const StrutGrid& grid,
 }
 
 TargetDistance computeTargetDistance(const Matrix3Xd& middle, const Matrix3Xd& targets,
-                                     const Surface& surface) {
+                                     const ClosestPointQuery& closestPoints) {
   const Matrix3Xd aligned = alignRigidly(middle, targets) * middle;
   const double diagonal = (targets.rowwise().maxCoeff() - targets.rowwise().minCoeff()).norm();
   const Eigen::VectorXd squared = (aligned - targets).colwise().squaredNorm();
-  const ClosestPointQuery query = closestPointQuery(surface);
   Eigen::VectorXd closest(aligned.cols());
   for (Eigen::Index n = 0; n < aligned.cols(); ++n) {
-    closest[n] = query.distance(aligned.col(n));
+    closest[n] = closestPoints.distance(aligned.col(n));
   }
   const double percent = 100 / diagonal;
   return {percent * std::sqrt(squared.mean()), percent * std::sqrt(squared.maxCoeff()),
           percent * std::sqrt(closest.squaredNorm() / static_cast<double>(closest.size())),
           percent * closest.maxCoeff()};
+}
+
+ClosestPointQuery closestPointsOf(const Surface& surface) {
+  constexpr int kPoints = kTargetCells + 1;
+  Matrix3Xd points(3, kPoints * kPoints);
+  for (int j = 0; j < kPoints; ++j) {
+    for (int i = 0; i < kPoints; ++i) {
+      points.col(j * kPoints + i) =
+          surface.point(double(i) / kTargetCells, double(j) / kTargetCells);
+    }
+  }
+  const SurfaceMesh mesh = tessellate(kPoints, kPoints, points, 1);
+  return {mesh.vertices, mesh.triangles};
 }
 
 ShrinkFigures computeShrink(const StrutGrid& stacked, double maxShrinkage) {

@@ -3,6 +3,7 @@
 
 #include "design/grid_design.h"
 #include "grid/strut_grid.h"
+#include "surface/closest_point.h"
 #include "surface/surface.h"
 
 namespace morphgrid {
@@ -27,9 +28,13 @@ struct TargetDistance {
   double closestPointMaxPercent;
 };
 
-/// middle, targets: one column per vertex of a layer, matching.
+/// middle, targets: one column per vertex of a layer, matching. closestPoints: of the target.
 TargetDistance computeTargetDistance(const Eigen::Matrix3Xd& middle,
-                                     const Eigen::Matrix3Xd& targets, const Surface& surface);
+                                     const Eigen::Matrix3Xd& targets,
+                                     const ClosestPointQuery& closestPoints);
+
+/// Of a fine triangulation of the surface.
+ClosestPointQuery closestPointsOf(const Surface& surface);
 
 /// Shrink of a strut = 1 - rest / printed length, the printed one being where the full stage
 /// starts.

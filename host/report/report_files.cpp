@@ -29,6 +29,16 @@ ordered_json toJson(const MeasurementFigures& m) {
           {"fewest_nodes", m.fewestNodes}};
 }
 
+ordered_json toJson(const MeshFigures& m) {
+  return {{"file", m.file},
+          {"triangles", m.triangles},
+          {"rays", m.rays},
+          {"missed", m.missed},
+          {"largest_jump", m.largestJump},
+          {"seconds_build", m.secondsBuild},
+          {"seconds_rays", m.secondsRays}};
+}
+
 ordered_json toJson(const GridFigures& g) {
   return {{"nodes_u", g.shape.verticesU - 1},
           {"nodes_v", g.shape.verticesV - 1},
@@ -114,6 +124,32 @@ void addMeasurement(Table& table, const RunRecord& record, const PublishedFigure
   table.row("fewest nodes", fmt::format("{}", m.fewestNodes));
 }
 
+void addMesh(Table& table, const RunRecord& record) {
+  if (!record.mesh) {
+    return;
+  }
+  const MeshFigures& m = *record.mesh;
+  table.row("triangles", fmt::format("{}", m.triangles));
+  table.row("rays, missed", fmt::format("{}, {}", m.rays, m.missed));
+  table.row("steepest step", fmt::format("{:.3g}", m.largestJump));
+  if (record.inPlane) {
+    return;
+  }
+  // A check is where people choose their box.
+  const Eigen::Vector3d& low = m.extent.min();
+  const Eigen::Vector3d& high = m.extent.max();
+  table.line(
+      fmt::format("  mesh spans x {:.6g} to {:.6g}, y (u) {:.6g} to {:.6g}, z (v) {:.6g} to {:.6g}",
+                  low.x(), high.x(), low.y(), high.y(), low.z(), high.z()));
+  if (m.suggestedBox) {
+    const SamplingBox& box = *m.suggestedBox;
+    table.line(
+        fmt::format("  a box without holes: u_start = {:.6g}, v_start = {:.6g}, u_length = {:.6g}, "
+                    "v_length = {:.6g}",
+                    box.uStart, box.vStart, box.uLength, box.vLength));
+  }
+}
+
 void addStage(Table& table, const char* name, const std::optional<Equilibrium>& stage) {
   if (stage) {
     table.line(
@@ -154,6 +190,7 @@ std::string toJson(const RunRecord& record) {
                           {"device", record.device},
                           {"seconds_total", record.secondsTotal},
                           {"grid", toJson(record.grid)},
+                          {"mesh", orNull(record.mesh)},
                           {"measurement", orNull(record.measurement)},
                           {"in_plane", orNull(record.inPlane)},
                           {"full", orNull(record.full)},
@@ -175,6 +212,7 @@ std::string toTable(const RunRecord& record) {
   Table table(record);
   const PublishedFigures paper = record.published.value_or(PublishedFigures{});
   const GridFigures& g = record.grid;
+  addMesh(table, record);
   addMeasurement(table, record, paper);
   table.row("nodes, u x v", fmt::format("{} x {}", g.shape.verticesU - 1, g.shape.verticesV - 1),
             ifAll("{} x {}", paper.nodesU, paper.nodesV));

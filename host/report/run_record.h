@@ -7,6 +7,7 @@
 #include "grid/strut_grid.h"
 #include "report/figures.h"
 #include "solve/equilibrium.h"
+#include "surface/mesh_ray_caster.h"
 
 namespace morphgrid {
 
@@ -27,6 +28,20 @@ struct MeasurementFigures {
   int fewestNodes;           ///< Eq. 23
 };
 
+/// How rays sampled a mesh.
+struct MeshFigures {
+  std::string file;
+  int triangles = 0;
+  int rays = 0;    ///< Of both passes.
+  int missed = 0;  ///< Of those; filled where the run went on.
+  double largestJump =
+      0;  ///< The steepest step between neighbouring rays, |dx| over their distance.
+  double secondsBuild = 0;
+  double secondsRays = 0;
+  Eigen::AlignedBox3d extent;               ///< Of the transformed mesh.
+  std::optional<SamplingBox> suggestedBox;  ///< One without holes, where there is one.
+};
+
 /// The grid that the design chose.
 struct GridFigures {
   GridShape shape;
@@ -44,6 +59,7 @@ struct RunRecord {
   double secondsTotal = 0;
   GridFigures grid{};
   std::optional<MeasurementFigures> measurement;  ///< Not for grids given by bend angles.
+  std::optional<MeshFigures> mesh;                ///< Only for meshes.
   std::optional<Equilibrium> inPlane;
   std::optional<Equilibrium> full;  ///< Not for grids of one layer.
   std::optional<StrutErrors> errors;

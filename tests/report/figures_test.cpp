@@ -33,7 +33,8 @@ TEST(TargetDistance, RigidMotionIsForgiven) {
   const Eigen::Matrix3Xd targets = planePoints(5);
   const Eigen::Isometry3d motion =
       Eigen::Translation3d(3, 4, 5) * Eigen::AngleAxisd(1.3, Eigen::Vector3d(1, 2, 3).normalized());
-  const TargetDistance d = computeTargetDistance(motion * targets, targets, Plane());
+  const TargetDistance d =
+      computeTargetDistance(motion * targets, targets, closestPointsOf(Plane()));
   EXPECT_LT(d.maxPercent, 1e-12);
   EXPECT_LT(d.closestPointMaxPercent, 1e-12);
 }
@@ -42,7 +43,7 @@ TEST(TargetDistance, ClosestPointForgivesSlidingInTheSurface) {
   const Eigen::Matrix3Xd targets = planePoints(5);
   Eigen::Matrix3Xd slid = targets;
   slid.col(12) += Eigen::Vector3d(0.05, -0.02, 0);  // the centre
-  const TargetDistance d = computeTargetDistance(slid, targets, Plane());
+  const TargetDistance d = computeTargetDistance(slid, targets, closestPointsOf(Plane()));
   EXPECT_GT(d.rmsPercent, 0.5);
   EXPECT_LT(d.closestPointRmsPercent, 0.2);
 }
@@ -54,7 +55,7 @@ TEST(TargetDistance, IsInPercentOfTheDiagonal) {
   for (int n = 0; n < 9; ++n) {
     bumped(2, n) = 0.01 * ((n % 3 == 1) != (n / 3 == 1) ? -1 : 1) * (n == 4 ? 0 : 1);
   }
-  const TargetDistance d = computeTargetDistance(bumped, targets, Plane());
+  const TargetDistance d = computeTargetDistance(bumped, targets, closestPointsOf(Plane()));
   EXPECT_NEAR(d.maxPercent, 100 * 0.01 / std::sqrt(2.0), 0.01);
   EXPECT_NEAR(d.rmsPercent, 100 * 0.01 * std::sqrt(8.0 / 9) / std::sqrt(2.0), 0.01);
 }
