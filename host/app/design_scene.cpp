@@ -12,11 +12,12 @@ SceneDesign designFromSurface(const Surface& surface, const DesignRequest& reque
   const GridSize size = chooseGridSize(survey, request);
   SurfaceMeasurement measurement =
       measureSurface(surface, size.nodesU, size.nodesV, size.curvatureLimit);
-  SceneDesign designed{
-      designGrid(measurement, size, request.layers),
-      MeasurementFigures{survey.longestIsolineU, survey.longestIsolineV, survey.largestCurvature(),
-                         size.layerSpacingLimit, size.fewestNodes},
-      std::move(measurement.points), size.notices};
+  SceneDesign designed{designGrid(measurement, size, request.layers),
+                       MeasurementFigures{survey.longestIsolineU, survey.longestIsolineV,
+                                          survey.largestCurvature(), size.layerSpacingLimit,
+                                          size.fewestNodes, listCutoffConsequences(survey, request),
+                                          suggestCutoff(survey, request), std::nullopt},
+                       std::move(measurement.points), size.notices};
   const std::vector<std::string>& more = designed.design.notices;
   designed.notices.insert(designed.notices.end(), more.begin(), more.end());
   return designed;

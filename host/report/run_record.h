@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "design/curvature_cutoff.h"
 #include "design/grid_design.h"
 #include "grid/strut_grid.h"
 #include "report/figures.h"
@@ -25,6 +26,9 @@ struct MeasurementFigures {
   double largestCurvature;   ///< Before the cutoff.
   double layerSpacingLimit;  ///< Eq. 21; infinite when nothing bends.
   int fewestNodes;           ///< Eq. 23
+  std::vector<CutoffConsequence> cutoffs;
+  std::optional<double> suggestedCutoff;  ///< Where a cutoff keeps the design as asked for.
+  std::optional<double> curvatureNoise;   ///< 1 / length; of meshes only.
 };
 
 /// The grid that the design chose.
