@@ -9,13 +9,14 @@
 namespace morphgrid {
 namespace {
 
-SceneDesign designMeasured(const SurfaceSurvey& survey, const GridSize& size, int layers,
-                           SurfaceMeasurement measurement) {
-  SceneDesign designed{
-      designGrid(measurement, size, layers),
-      MeasurementFigures{survey.longestIsolineU, survey.longestIsolineV, survey.largestCurvature(),
-                         size.layerSpacingLimit, size.fewestNodes},
-      std::move(measurement.points), std::nullopt, size.notices};
+SceneDesign designMeasured(const SurfaceSurvey& survey, const DesignRequest& request,
+                           const GridSize& size, SurfaceMeasurement measurement) {
+  SceneDesign designed{designGrid(measurement, size, request.layers),
+                       MeasurementFigures{survey.longestIsolineU, survey.longestIsolineV,
+                                          survey.largestCurvature(), size.layerSpacingLimit,
+                                          size.fewestNodes, listCutoffConsequences(survey, request),
+                                          suggestCutoff(survey, request), std::nullopt},
+                       std::move(measurement.points), std::nullopt, size.notices};
   const std::vector<std::string>& more = designed.design.notices;
   designed.notices.insert(designed.notices.end(), more.begin(), more.end());
   return designed;
@@ -24,7 +25,7 @@ SceneDesign designMeasured(const SurfaceSurvey& survey, const GridSize& size, in
 SceneDesign designFromSurface(const Surface& surface, const DesignRequest& request) {
   const SurfaceSurvey survey = surveySurface(surface);
   const GridSize size = chooseGridSize(survey, request);
-  return designMeasured(survey, size, request.layers,
+  return designMeasured(survey, request, size,
                         measureSurface(surface, size.nodesU, size.nodesV, size.curvatureLimit));
 }
 
@@ -35,8 +36,9 @@ SceneDesign designFromMesh(const MeshTarget& target, const DesignRequest& reques
   const GridSize size = chooseGridSize(survey.survey, request);
   const RayHits vertexHits = sampler.cast(size.nodesU + 1, size.nodesV + 1);
   SceneDesign designed =
-      designMeasured(survey.survey, size, request.layers,
+      designMeasured(survey.survey, request, size,
                      measureMesh(vertexHits, size.curvatureLimit, target.smoothingWidth));
+  designed.measurement->curvatureNoise = survey.curvatureNoise;
   designed.sampling = MeshSampling{std::move(hits), sampler.figures()};
   return designed;
 }

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "core/error.h"
+#include "design/curvature_cutoff.h"
 
 namespace morphgrid {
 namespace {
@@ -21,19 +22,30 @@ int shorterNodes(int nodesLong, double aspect) {
 /// nobody asked for and no machine solves.
 constexpr int kMostNodesRaisedTo = 2000;
 
-/// Eq. 23: a strut spans at most a half circle of the tightest radius.
-int fewestNodes(double longestIsoline, double curvatureLimit, int nodesAskedFor) {
-  const double fewest = std::max(1.0, std::ceil(longestIsoline * curvatureLimit / 2));
-  if (fewest > std::max(nodesAskedFor, kMostNodesRaisedTo)) {
-    throw InputError(
-        fmt::format("curvature {:.4g} needs at least {:.4g} nodes along an isoline of length "
-                    "{:.4g} (Eq. 23); nodes "
-                    "are raised to at most {}: lower grid.curvature_cutoff, ask for as many in "
-                    "grid.nodes_long, or "
-                    "smooth the surface",
-                    curvatureLimit, fewest, longestIsoline, kMostNodesRaisedTo));
+/// Which cutoff would leave the layer spacing and the nodes as asked for.
+std::string cutoffAdvice(const SurfaceSurvey& survey, const DesignRequest& request) {
+  const std::optional<double> cutoff = suggestCutoff(survey, request);
+  if (!cutoff) {
+    return "no grid.curvature_cutoff would do";
   }
-  return static_cast<int>(fewest);
+  return fmt::format(
+      "grid.curvature_cutoff = {:g} would do, capping curvature to {:.4g} (`morphgrid check` lists "
+      "others)",
+      *cutoff, curvatureAtCutoff(survey, *cutoff));
+}
+
+void requireFewEnough(const CutoffConsequence& needed, const SurfaceSurvey& survey,
+                      const DesignRequest& request) {
+  if (needed.fewestNodes > std::max(request.nodesLong, kMostNodesRaisedTo)) {
+    const std::optional<double> cutoff = suggestCutoff(survey, request);
+    throw InputError(fmt::format(
+        "curvature {:.4g} needs at least {:.4g} nodes along an isoline of length {:.4g} (Eq. 23); "
+        "nodes are raised to at most {}: lower grid.curvature_cutoff{}, ask for as many in "
+        "grid.nodes_long, or smooth the surface",
+        needed.curvatureLimit, needed.fewestNodes,
+        std::max(survey.longestIsolineU, survey.longestIsolineV), kMostNodesRaisedTo,
+        cutoff ? fmt::format(" to {:g}", *cutoff) : ""));
+  }
 }
 
 /// Strut counts, the largest, must fit into an int.
@@ -88,33 +100,30 @@ double bendAngle(double length, double curvature, int& clamped) {
 }  // namespace
 
 GridSize chooseGridSize(const SurfaceSurvey& survey, const DesignRequest& request) {
+  const CutoffConsequence needed = consequenceOf(request.curvatureCutoff, survey, request);
   GridSize size{};
-  size.curvatureLimit = curvatureAtCutoff(survey, request.curvatureCutoff);
+  size.curvatureLimit = needed.curvatureLimit;
   if (size.curvatureLimit < survey.largestCurvature()) {
     size.notices.push_back(fmt::format(
         "curvature is capped to {:.4g}, the cutoff p = {:g} of its samples (largest: {:.4g})",
         size.curvatureLimit, request.curvatureCutoff, survey.largestCurvature()));
   }
 
-  size.layerSpacingLimit = std::numeric_limits<double>::infinity();
-  if (request.layers > 1 && size.curvatureLimit > 0) {
-    size.layerSpacingLimit =
-        request.maxShrinkage / (size.curvatureLimit * (request.layers - 1));  // Eq. 21
-  }
+  size.layerSpacingLimit = needed.layerSpacingLimit;
   size.layerSpacing = std::min(request.layerSpacing, size.layerSpacingLimit);
   if (size.layerSpacing < request.layerSpacing) {
     size.notices.push_back(
         fmt::format("layer spacing {:g} is clamped to {:.4g}: curvature {:.4g} with {} layers "
-                    "would need more than "
-                    "{:g} % shrinkage (Eq. 21)",
+                    "would need more than {:g} % shrinkage (Eq. 21); {}",
                     request.layerSpacing, size.layerSpacing, size.curvatureLimit, request.layers,
-                    100 * request.maxShrinkage));
+                    100 * request.maxShrinkage, cutoffAdvice(survey, request)));
   }
 
+  requireFewEnough(needed, survey, request);
   const bool uIsLonger = survey.longestIsolineU >= survey.longestIsolineV;
   const double longer = std::max(survey.longestIsolineU, survey.longestIsolineV);
   const double aspect = longer / std::min(survey.longestIsolineU, survey.longestIsolineV);
-  size.fewestNodes = fewestNodes(longer, size.curvatureLimit, request.nodesLong);
+  size.fewestNodes = static_cast<int>(needed.fewestNodes);
   const int nodesLong = std::max(request.nodesLong, size.fewestNodes);
   const int nodesShort = shorterNodes(nodesLong, aspect);
   size.nodesU = uIsLonger ? nodesLong : nodesShort;
@@ -123,9 +132,9 @@ GridSize chooseGridSize(const SurfaceSurvey& survey, const DesignRequest& reques
   if (nodesLong > request.nodesLong) {
     size.notices.push_back(fmt::format(
         "{} nodes on the long edge are raised to {} ({} x {}): a strut may span at most a half "
-        "circle "
-        "of radius {:.4g} (Eq. 23)",
-        request.nodesLong, nodesLong, size.nodesU, size.nodesV, 1 / size.curvatureLimit));
+        "circle of radius {:.4g} (Eq. 23); {}",
+        request.nodesLong, nodesLong, size.nodesU, size.nodesV, 1 / size.curvatureLimit,
+        cutoffAdvice(survey, request)));
   }
   return size;
 }

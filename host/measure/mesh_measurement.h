@@ -4,20 +4,34 @@
 
 namespace morphgrid {
 
-/// First pass over a mesh's hits; none may be missing. Catmull-Rom splines along the isolines give
-/// lengths (chords) and curvature, 10 samples a segment.
-struct MeshSurvey {
-  SurfaceSurvey survey;
-  double
-      curvatureNoise;  ///< Median |difference| of kappa between neighbouring segments, 1 / length.
-};
+// Both passes walk the isolines of a lattice of rays, none of which may have missed (RayHits::hit),
+// as Catmull-Rom splines through its hits. kappa > 0 where an isoline curves towards p_u x p_v; the
+// normal of a segment is the mean of those at its two ends, cross products of the central
+// differences of the lattice.
+//
+// smoothingWidth (0: none; in the scene's unit of length) takes from rough meshes the creases that
+// kappa would follow: the kappa of a segment becomes the Gaussian mean of the segments' means along
+// its isoline, with weights length x exp(-d^2 / (2 sigma^2)), sigma = smoothingWidth / 2, d the arc
+// length (chords) between the segments' middles. At an isoline's ends the weights that are left add
+// up to 1 too.
+//
+// Both throw InputError when neighbouring rays hit the same point.
 
-/// smoothingWidth: standard width (two sigma) of the Gaussian along the isoline that smooths kappa,
-/// in the scene's unit of length; 0 for none. Throws InputError when there is no extent.
+/// First pass over a mesh's hits.
+struct MeshSurvey {
+  /// Lengths are sums of chords; kappa: 10 samples a segment, or, smoothed, one.
+  SurfaceSurvey survey;
+
+  /// The median, over all pairs of neighbouring segments of an isoline, of the difference between
+  /// their means of kappa, smoothed where that is asked for; 1 / length, >= 0. 0 without
+  /// neighbours.
+  double curvatureNoise;
+};
 MeshSurvey surveyMesh(const RayHits& hits, double smoothingWidth);
 
-/// Second pass: one isoline a line of vertices, hits.countU = nodesU + 1, hits.countV = nodesV + 1;
-/// kappa of a strut is the mean of 100 samples of its segment, capped to curvatureLimit.
+/// Second pass: one isoline a line of vertices, hits.countU = nodesU + 1, hits.countV = nodesV + 1.
+/// kappa of a strut is the mean of 100 samples of its segment, each capped to curvatureLimit;
+/// smoothed, it is the segment's smoothed mean, capped.
 SurfaceMeasurement measureMesh(const RayHits& hits, double curvatureLimit, double smoothingWidth);
 
 }  // namespace morphgrid

@@ -25,11 +25,6 @@ double curvatureOn(const Surface& surface, Direction along, double t, double s) 
   return along == Direction::u ? surface.curvatureAlongU(t, s) : surface.curvatureAlongV(s, t);
 }
 
-struct DirectionSurvey {
-  double longestIsoline = 0;
-  double largestCurvature = 0;
-};
-
 DirectionSurvey surveyDirection(const Surface& surface, Direction along,
                                 std::vector<double>& curvatures) {
   DirectionSurvey survey;
@@ -64,11 +59,8 @@ double meanCurvature(const Surface& surface, Direction along, double t0, double 
 
 }  // namespace
 
-SurfaceSurvey surveySurface(const Surface& surface) {
-  std::vector<double> curvatures;
-  curvatures.reserve(2 * kSurveyIsolines * kSurveySamples);
-  const DirectionSurvey u = surveyDirection(surface, Direction::u, curvatures);
-  const DirectionSurvey v = surveyDirection(surface, Direction::v, curvatures);
+SurfaceSurvey makeSurvey(const DirectionSurvey& u, const DirectionSurvey& v,
+                         std::vector<double> curvatures) {
   if (!(u.longestIsoline > 0 && v.longestIsoline > 0)) {
     throw InputError(fmt::format("the surface must have an extent along u and v, got {} and {}",
                                  u.longestIsoline, v.longestIsoline));
@@ -76,6 +68,14 @@ SurfaceSurvey surveySurface(const Surface& surface) {
   std::sort(curvatures.begin(), curvatures.end());
   return {u.longestIsoline, v.longestIsoline, u.largestCurvature, v.largestCurvature,
           std::move(curvatures)};
+}
+
+SurfaceSurvey surveySurface(const Surface& surface) {
+  std::vector<double> curvatures;
+  curvatures.reserve(2 * kSurveyIsolines * kSurveySamples);
+  const DirectionSurvey u = surveyDirection(surface, Direction::u, curvatures);
+  const DirectionSurvey v = surveyDirection(surface, Direction::v, curvatures);
+  return makeSurvey(u, v, std::move(curvatures));
 }
 
 double curvatureAtCutoff(const SurfaceSurvey& survey, double cutoff) {

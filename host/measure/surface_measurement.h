@@ -18,6 +18,17 @@ struct SurfaceSurvey {
   double largestCurvature() const { return sortedCurvatures.back(); }
 };
 
+/// What the isolines of one direction have.
+struct DirectionSurvey {
+  double longestIsoline = 0;
+  double largestCurvature = 0;  ///< Of |kappa|.
+};
+
+/// curvatures: all |kappa|, in any order, at least one. Throws InputError when there is no extent
+/// along u or v.
+SurfaceSurvey makeSurvey(const DirectionSurvey& u, const DirectionSurvey& v,
+                         std::vector<double> curvatures);
+
 /// Walks 100 isolines in u and in v with 1000 samples each (paper, section 3.2).
 /// Throws InputError when the surface has no extent along u or v.
 SurfaceSurvey surveySurface(const Surface& surface);

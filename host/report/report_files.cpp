@@ -15,10 +15,25 @@ ordered_json number(double value) {
   return std::isfinite(value) ? ordered_json(value) : ordered_json(nullptr);
 }
 
+ordered_json number(const std::optional<double>& value) {
+  return value ? number(*value) : ordered_json(nullptr);
+}
+
 ordered_json toJson(const Equilibrium& stage) {
   return {{"iterations", stage.iterations},   {"converged", stage.converged},
           {"reason", toString(stage.reason)}, {"residual", number(stage.residual)},
           {"energy", number(stage.energy)},   {"seconds", stage.seconds}};
+}
+
+ordered_json toJson(const std::vector<CutoffConsequence>& cutoffs) {
+  ordered_json array = ordered_json::array();
+  for (const CutoffConsequence& c : cutoffs) {
+    array.push_back({{"p", c.cutoff},
+                     {"curvature", c.curvatureLimit},
+                     {"layer_spacing_limit", number(c.layerSpacingLimit)},
+                     {"fewest_nodes", c.fewestNodes}});
+  }
+  return array;
 }
 
 ordered_json toJson(const MeasurementFigures& m) {
@@ -26,7 +41,10 @@ ordered_json toJson(const MeasurementFigures& m) {
           {"longest_isoline_v", m.longestIsolineV},
           {"largest_curvature", m.largestCurvature},
           {"layer_spacing_limit", number(m.layerSpacingLimit)},
-          {"fewest_nodes", m.fewestNodes}};
+          {"fewest_nodes", m.fewestNodes},
+          {"cutoffs", toJson(m.cutoffs)},
+          {"suggested_cutoff", number(m.suggestedCutoff)},
+          {"curvature_noise", number(m.curvatureNoise)}};
 }
 
 ordered_json toJson(const MeshFigures& m) {
@@ -122,6 +140,26 @@ void addMeasurement(Table& table, const RunRecord& record, const PublishedFigure
             ifAll("{:.4g}", paper.largestCurvature));
   table.row("layer spacing at most", fmt::format("{:.4g}", m.layerSpacingLimit));
   table.row("fewest nodes", fmt::format("{}", m.fewestNodes));
+  if (m.curvatureNoise) {
+    table.row("curvature noise", fmt::format("{:.4g}", *m.curvatureNoise));
+  }
+}
+
+/// What other cutoffs would mean: advice for a design, so only where nothing is solved yet.
+void addCutoffs(Table& table, const RunRecord& record) {
+  if (!record.measurement || record.inPlane) {
+    return;
+  }
+  const MeasurementFigures& m = *record.measurement;
+  constexpr const char* kRow = "  {:<24}{:>16}{:>16}{:>16}";
+  table.line(fmt::format(kRow, "curvature cutoff", "curvature", "spacing at most", "fewest nodes"));
+  for (const CutoffConsequence& c : m.cutoffs) {
+    table.line(fmt::format(kRow, fmt::format("  {:g} % (p = {:g})", 100 * c.cutoff, c.cutoff),
+                           fmt::format("{:.4g}", c.curvatureLimit),
+                           fmt::format("{:.4g}", c.layerSpacingLimit),
+                           fmt::format("{:.6g}", c.fewestNodes)));
+  }
+  table.row("suggested p", m.suggestedCutoff ? fmt::format("{:g}", *m.suggestedCutoff) : "none");
 }
 
 void addMesh(Table& table, const RunRecord& record) {
@@ -220,6 +258,7 @@ std::string toTable(const RunRecord& record) {
   table.row("vertices, struts", fmt::format("{}, {}", g.shape.vertexCount(), g.shape.strutCount()));
   table.row("largest L_b shrink", fmt::format("{:.1f} %", g.bendShrinkPercent),
             ifAll("{:.1f} %", paper.bendShrinkPercent));
+  addCutoffs(table, record);
   addResults(table, record, paper);
   addStage(table, "in plane:", record.inPlane);
   addStage(table, "full:", record.full);

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "design/curvature_cutoff.h"
 #include "design/grid_design.h"
 #include "grid/strut_grid.h"
 #include "report/figures.h"
@@ -26,16 +27,18 @@ struct MeasurementFigures {
   double largestCurvature;   ///< Before the cutoff.
   double layerSpacingLimit;  ///< Eq. 21; infinite when nothing bends.
   int fewestNodes;           ///< Eq. 23
+  std::vector<CutoffConsequence> cutoffs;
+  std::optional<double> suggestedCutoff;  ///< Where a cutoff keeps the design as asked for.
+  std::optional<double> curvatureNoise;   ///< 1 / length; of meshes only.
 };
 
 /// How rays sampled a mesh.
 struct MeshFigures {
   std::string file;
   int triangles = 0;
-  int rays = 0;    ///< Of both passes.
-  int missed = 0;  ///< Of those; filled where the run went on.
-  double largestJump =
-      0;  ///< The steepest step between neighbouring rays, |dx| over their distance.
+  int rays = 0;            ///< Of both passes.
+  int missed = 0;          ///< Of those; filled where the run went on.
+  double largestJump = 0;  ///< Steepest step between neighbouring rays: |dx| over their distance.
   double secondsBuild = 0;
   double secondsRays = 0;
   Eigen::AlignedBox3d extent;               ///< Of the transformed mesh.

@@ -37,12 +37,15 @@ TEST(ChooseGridSize, FlatSurfacesHaveNoLimits) {
 }
 
 TEST(ChooseGridSize, ClampsTheLayerSpacingAndSaysSo) {
-  const DesignRequest request{.layers = 3, .layerSpacing = 1, .nodesLong = 10, .maxShrinkage = 0.4};
+  const DesignRequest request{
+      .layers = 3, .layerSpacing = 0.6, .nodesLong = 10, .maxShrinkage = 0.4};
   const GridSize size = chooseGridSize(survey(2, 1, 0.5), request);
   EXPECT_NEAR(size.layerSpacingLimit, 2 * 0.4 / 2, 1e-15);  // R maxShrinkage / (layers - 1)
   EXPECT_EQ(size.layerSpacing, size.layerSpacingLimit);
   ASSERT_EQ(size.notices.size(), 1u);
   EXPECT_THAT(size.notices[0], HasSubstr("Eq. 21"));
+  EXPECT_THAT(size.notices[0],
+              HasSubstr("grid.curvature_cutoff = 0.99 would do, capping curvature to 0.25"));
 }
 
 TEST(ChooseGridSize, RaisesTooFewNodesAndSaysSo) {
@@ -53,6 +56,14 @@ TEST(ChooseGridSize, RaisesTooFewNodesAndSaysSo) {
   EXPECT_EQ(size.nodesV, 5);
   ASSERT_EQ(size.notices.size(), 1u);
   EXPECT_THAT(size.notices[0], HasSubstr("Eq. 23"));
+  EXPECT_THAT(size.notices[0], HasSubstr("grid.curvature_cutoff = 0.49 would do"));
+}
+
+TEST(ChooseGridSize, SaysWhereNoCutoffWouldDo) {
+  const SurfaceSurvey sphere{2, 1, 0.5, 0.5, {0.5, 0.5, 0.5}};
+  const GridSize size = chooseGridSize(sphere, {.layerSpacing = 1, .nodesLong = 10});
+  ASSERT_EQ(size.notices.size(), 1u);
+  EXPECT_THAT(size.notices[0], HasSubstr("no grid.curvature_cutoff would do"));
 }
 
 TEST(ChooseGridSize, CutoffLowersTheCurvatureAndSaysSo) {
@@ -64,7 +75,12 @@ TEST(ChooseGridSize, CutoffLowersTheCurvatureAndSaysSo) {
 }
 
 TEST(ChooseGridSize, RefusesCurvatureThatAsksForThousandsOfNodes) {
-  EXPECT_THROW(chooseGridSize(survey(1, 1, 1e4), {.layerSpacing = 1}), InputError);
+  try {
+    chooseGridSize(survey(1, 1, 1e4), {.layerSpacing = 1});
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("lower grid.curvature_cutoff to 0.49, ask"));
+  }
 }
 
 SurfaceMeasurement uniformMeasurement(double length, double curvature) {

@@ -19,7 +19,11 @@ RunRecord sampleRecord() {
   record.device = "some device";
   record.secondsTotal = 1.5;
   record.grid = {{18, 21, 3}, 0.3, 30.9};
-  record.measurement = {12.02, 14.84, 0.52, std::numeric_limits<double>::infinity(), 4};
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  record.measurement = {12.02, 14.84, 0.52, kInfinity, 4};
+  record.measurement->cutoffs = {{0.5, 0, kInfinity, 1}, {0.95, 0.4785, 0.418, 1e12}};
+  record.measurement->suggestedCutoff = 0.93;
+  record.measurement->curvatureNoise = 0.0625;
   Equilibrium stage;
   stage.iterations = 32;
   stage.converged = true;
@@ -55,6 +59,18 @@ TEST(ReportJson, HoldsAllKeysAndRoundTrips) {
   EXPECT_EQ(json["shrink"]["struts_over_limit"], 0);
 }
 
+TEST(ReportJson, ListsTheCutoffs) {
+  const auto m = nlohmann::json::parse(toJson(sampleRecord()))["measurement"];
+  ASSERT_EQ(m["cutoffs"].size(), 2u);
+  EXPECT_TRUE(m["cutoffs"][0]["layer_spacing_limit"].is_null());
+  EXPECT_EQ(m["cutoffs"][1]["p"], 0.95);
+  EXPECT_EQ(m["cutoffs"][1]["curvature"], 0.4785);
+  EXPECT_EQ(m["cutoffs"][1]["layer_spacing_limit"], 0.418);
+  EXPECT_EQ(m["cutoffs"][1]["fewest_nodes"], 1e12);
+  EXPECT_EQ(m["suggested_cutoff"], 0.93);
+  EXPECT_EQ(m["curvature_noise"], 0.0625);
+}
+
 TEST(ReportJson, WhatARunDoesNotHaveIsNull) {
   RunRecord record = sampleRecord();
   record.measurement.reset();
@@ -64,6 +80,15 @@ TEST(ReportJson, WhatARunDoesNotHaveIsNull) {
   EXPECT_TRUE(json["measurement"].is_null());
   EXPECT_TRUE(json["full"].is_null());
   EXPECT_TRUE(json["distance_to_target"].is_null());
+}
+
+TEST(ReportJson, WithoutAdviceItIsNull) {
+  RunRecord record = sampleRecord();
+  record.measurement->suggestedCutoff.reset();
+  record.measurement->curvatureNoise.reset();
+  const auto json = nlohmann::json::parse(toJson(record));
+  EXPECT_TRUE(json["measurement"]["suggested_cutoff"].is_null());
+  EXPECT_TRUE(json["measurement"]["curvature_noise"].is_null());
 }
 
 TEST(ConvergenceCsv, HasALinePerSample) {
@@ -84,6 +109,28 @@ TEST(ReportTable, ShowsThePaperBesideOursWhereItHasFigures) {
   record.published = paper;
   EXPECT_THAT(toTable(record), HasSubstr("paper Fig. 4"));
   EXPECT_THAT(toTable(record), HasSubstr("7.55 %"));
+}
+
+TEST(ReportTable, OfACheckListsTheCutoffs) {
+  RunRecord record = sampleRecord();
+  EXPECT_THAT(toTable(record), testing::Not(HasSubstr("suggested p")));
+  record.inPlane.reset();
+  record.full.reset();
+  EXPECT_THAT(
+      toTable(record),
+      HasSubstr("  curvature cutoff               curvature spacing at most    fewest nodes\n"
+                "    50 % (p = 0.5)                       0             inf               1\n"
+                "    95 % (p = 0.95)                 0.4785           0.418           1e+12\n"
+                "  suggested p                         0.93\n"));
+  record.measurement->suggestedCutoff.reset();
+  EXPECT_THAT(toTable(record), HasSubstr("  suggested p                         none\n"));
+}
+
+TEST(ReportTable, NamesTheNoiseOfAMesh) {
+  RunRecord record = sampleRecord();
+  EXPECT_THAT(toTable(record), HasSubstr("  curvature noise                   0.0625\n"));
+  record.measurement->curvatureNoise.reset();
+  EXPECT_THAT(toTable(record), testing::Not(HasSubstr("curvature noise")));
 }
 
 TEST(ReportTable, SaysWhyARunDidNotConverge) {
