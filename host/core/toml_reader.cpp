@@ -29,6 +29,16 @@ TomlSection TomlReader::section(const std::string& name) {
   return {*this, name, table, node && !table};
 }
 
+TomlSection TomlReader::table(const std::string& name, const toml::node& node) {
+  const toml::table* table = node.as_table();
+  if (table) {
+    innerTables_.emplace_back(name, table);
+  } else {
+    reportUnfit(name, node, "a table");
+  }
+  return {*this, name, table, !table};
+}
+
 Place TomlReader::place(const toml::source_region& source) const {
   if (source.path && *source.path != file_) return {*source.path};
   return {file_, static_cast<int>(source.begin.line), static_cast<int>(source.begin.column)};
@@ -52,7 +62,27 @@ const toml::array* TomlReader::array(const std::string& name, const toml::node& 
   return nullptr;
 }
 
-void TomlReader::reportUnknownKeys() { reportUnknownKeys(document_, ""); }
+std::optional<Eigen::Vector3d> TomlReader::vector(const std::string& name, const toml::node& node,
+                                                  const NumberRange& range,
+                                                  const std::string& allowed) {
+  const toml::array* numbers = array(name, node, 3, allowed);
+  if (!numbers) return std::nullopt;
+  std::optional<Eigen::Vector3d> vector = Eigen::Vector3d::Zero();
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto value = number(fmt::format("{}[{}]", name, axis), *numbers->get(axis), range);
+    if (value && vector) {
+      (*vector)[axis] = *value;
+    } else {
+      vector.reset();
+    }
+  }
+  return vector;
+}
+
+void TomlReader::reportUnknownKeys() {
+  reportUnknownKeys(document_, "");
+  for (const auto& [name, table] : innerTables_) reportUnknownKeys(*table, name);
+}
 
 std::vector<std::string> TomlReader::knownKeys() const {
   std::vector<std::string> names;

@@ -1,4 +1,5 @@
 #pragma once
+#include <Eigen/Core>
 #include <array>
 #include <filesystem>
 #include <initializer_list>
@@ -27,6 +28,8 @@ class TomlReader {
 
   TomlSection root();
   TomlSection section(const std::string& name);
+  /// A table inside an array; `name` is what messages call it.
+  TomlSection table(const std::string& name, const toml::node& node);
 
   Place place(const toml::node& node) const { return place(node.source()); }
 
@@ -36,6 +39,9 @@ class TomlReader {
                                const NumberRange& range);
   const toml::array* array(const std::string& name, const toml::node& node, std::size_t length,
                            const std::string& allowed);
+  /// An array of three numbers.
+  std::optional<Eigen::Vector3d> vector(const std::string& name, const toml::node& node,
+                                        const NumberRange& range, const std::string& allowed);
 
   /// To be called last: every key that nobody asked for is a problem.
   void reportUnknownKeys();
@@ -65,6 +71,7 @@ class TomlReader {
   std::string file_;
   toml::table document_;
   std::vector<std::string> sections_;
+  std::vector<std::pair<std::string, const toml::table*>> innerTables_;
   std::vector<KnownKey> keys_;
 };
 
@@ -85,6 +92,13 @@ class TomlSection {
   std::optional<std::array<double, 2>> numberPair(std::string_view key, const NumberRange& range);
   /// An array of `length` elements of any kind.
   const toml::array* array(std::string_view key, std::size_t length, const std::string& allowed);
+  /// An array of any length.
+  const toml::array* array(std::string_view key, const std::string& allowed);
+
+  /// An array of three numbers.
+  std::optional<Eigen::Vector3d> vector(std::string_view key, const NumberRange& range,
+                                        const std::string& allowed);
+  TomlSection table(std::string_view key, const std::string& allowed);
 
   /// One of several words.
   template <typename T>
@@ -102,6 +116,9 @@ class TomlSection {
   /// A known key that must not be there, and why; from here on it counts as missing.
   void reject(std::string_view key, const std::string& reason);
 
+  /// Whatever the key holds, null when it is missing; the key does not become known.
+  const toml::node* node(std::string_view key) const;
+
   /// Where the key's value stands, or the place at which it is missing.
   Place place(std::string_view key) const;
 
@@ -113,7 +130,6 @@ class TomlSection {
   TomlSection(TomlReader& reader, std::string name, const toml::table* table, bool malformed);
 
   const toml::node* find(std::string_view key, std::string allowed);
-  const toml::node* findAny(std::string_view key) const;
   void reportUnfit(std::string_view key, const toml::node& node);
   std::optional<std::size_t> choiceIndex(std::string_view key,
                                          const std::vector<std::string_view>& words);

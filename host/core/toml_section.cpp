@@ -56,21 +56,45 @@ const toml::array* TomlSection::array(std::string_view key, std::size_t length,
   return node ? reader_->array(fullName(key), *node, length, allowed) : nullptr;
 }
 
+const toml::array* TomlSection::array(std::string_view key, const std::string& allowed) {
+  const toml::node* node = find(key, allowed);
+  if (!node || node->is_array()) return node ? node->as_array() : nullptr;
+  reportUnfit(key, *node);
+  return nullptr;
+}
+
+std::optional<Eigen::Vector3d> TomlSection::vector(std::string_view key, const NumberRange& range,
+                                                   const std::string& allowed) {
+  const toml::node* node = find(key, allowed);
+  return node ? reader_->vector(fullName(key), *node, range, allowed) : std::nullopt;
+}
+
+TomlSection TomlSection::table(std::string_view key, const std::string& allowed) {
+  const toml::node* node = find(key, allowed);
+  if (node && node->is_table()) return reader_->table(fullName(key), *node);
+  if (node) reportUnfit(key, *node);
+  return {*reader_, fullName(key), nullptr, node != nullptr};
+}
+
 void TomlSection::require(std::string_view key) {
-  if (malformed_ || findAny(key)) return;
+  if (malformed_ || node(key)) return;
   reader_->problems.add(place(key), fmt::format("{} is missing: it must be {}", fullName(key),
                                                 reader_->know(name_, key).allowed));
 }
 
 void TomlSection::reject(std::string_view key, const std::string& reason) {
   reader_->know(name_, key).rejected = true;
-  if (findAny(key)) {
+  if (node(key)) {
     reader_->problems.add(place(key), fmt::format("{} {}", fullName(key), reason));
   }
 }
 
+const toml::node* TomlSection::node(std::string_view key) const {
+  return table_ ? table_->get(key) : nullptr;
+}
+
 Place TomlSection::place(std::string_view key) const {
-  if (const toml::node* node = findAny(key)) return reader_->place(*node);
+  if (const toml::node* value = node(key)) return reader_->place(*value);
   Place start{reader_->file_, 1, 1};
   if (!table_) return start;
   const Place table = reader_->place(*table_);
@@ -84,11 +108,7 @@ std::string TomlSection::fullName(std::string_view key) const {
 const toml::node* TomlSection::find(std::string_view key, std::string allowed) {
   TomlReader::KnownKey& known = reader_->know(name_, key);
   known.allowed = std::move(allowed);
-  return known.rejected ? nullptr : findAny(key);
-}
-
-const toml::node* TomlSection::findAny(std::string_view key) const {
-  return table_ ? table_->get(key) : nullptr;
+  return known.rejected ? nullptr : node(key);
 }
 
 void TomlSection::reportUnfit(std::string_view key, const toml::node& node) {

@@ -7,16 +7,6 @@
 namespace morphgrid {
 namespace {
 
-Eigen::Vector3d readPoint(TomlReader& reader, const std::string& name, const toml::node& node) {
-  Eigen::Vector3d point = Eigen::Vector3d::Zero();
-  const toml::array* numbers = reader.array(name, node, 3, "a point of 3 numbers, [x, y, z]");
-  for (int axis = 0; numbers && axis < 3; ++axis) {
-    const std::string element = fmt::format("{}[{}]", name, axis);
-    point[axis] = reader.number(element, *numbers->get(axis), NumberRange()).value_or(0);
-  }
-  return point;
-}
-
 BezierPatch::ControlPoints readControlPoints(TomlReader& reader) {
   BezierPatch::ControlPoints points{};
   TomlSection root = reader.root();
@@ -26,7 +16,10 @@ BezierPatch::ControlPoints readControlPoints(TomlReader& reader) {
     const std::string rowName = fmt::format("control_points[{}]", j);
     const toml::array* row = reader.array(rowName, *rows->get(j), 4, "a row of 4 points (along u)");
     for (int i = 0; row && i < 4; ++i) {
-      points[j][i] = readPoint(reader, fmt::format("{}[{}]", rowName, i), *row->get(i));
+      points[j][i] = reader
+                         .vector(fmt::format("{}[{}]", rowName, i), *row->get(i), NumberRange(),
+                                 "a point of 3 numbers, [x, y, z]")
+                         .value_or(Eigen::Vector3d::Zero());
     }
   }
   return points;
