@@ -2,12 +2,13 @@
 #include <gtest/gtest.h>
 
 #include "app/pipeline.h"
+#include "tests/support/folders.h"
 
 namespace morphgrid {
 namespace {
 
 RunRecord checkNamed(const std::string& name) {
-  return checkScene(loadScene(std::string(MORPHGRID_SOURCE_DIR) + "/scenes/" + name + ".toml"));
+  return checkScene(loadScene(sourceFolder() / "scenes" / (name + ".toml")));
 }
 
 struct Expected {

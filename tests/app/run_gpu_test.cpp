@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "tests/app/subprocess.h"
+#include "tests/support/folders.h"
 #include "tests/support/temporary_folder.h"
 
 namespace morphgrid {
@@ -16,7 +17,7 @@ using testing::HasSubstr;
 class Run : public testing::Test {
  protected:
   static std::string sceneFile(const std::string& name) {
-    return std::string(MORPHGRID_SOURCE_DIR) + "/scenes/" + name + ".toml";
+    return sourceFolder() / "scenes" / (name + ".toml");
   }
   std::string out() const { return (folder_.path() / "result").string(); }
   nlohmann::json report() const {

@@ -6,13 +6,12 @@
 
 #include "core/read_file.h"
 #include "tests/app/scene_files.h"
+#include "tests/support/folders.h"
 
 namespace morphgrid {
 namespace {
 
-const std::filesystem::path kSource = MORPHGRID_SOURCE_DIR;
-
-std::string readDoc() { return readFile(kSource / "docs/scene_format.md"); }
+std::string readDoc() { return readFile(sourceFolder() / "docs/scene_format.md"); }
 
 /// What follows `start` up to `end`; empty for lines that do not start so.
 std::string between(const std::string& line, const std::string& start, char end) {

@@ -8,11 +8,12 @@
 
 #include "surface/bezier_patch.h"
 #include "tests/app/scene_files.h"
+#include "tests/support/folders.h"
 
 namespace morphgrid {
 namespace {
 
-const std::filesystem::path kScenes = std::filesystem::path(MORPHGRID_SOURCE_DIR) / "scenes";
+const std::filesystem::path kScenes = sourceFolder() / "scenes";
 
 void expectCorner(const Scene& scene, const Eigen::Vector3d& corner) {
   ASSERT_NE(scene.surface, nullptr);

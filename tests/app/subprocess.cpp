@@ -9,6 +9,8 @@
 #include <stdexcept>
 #include <thread>
 
+#include "tests/support/folders.h"
+
 namespace morphgrid {
 namespace {
 
@@ -20,7 +22,7 @@ namespace {
     const auto equals = variable.find('=');
     setenv(variable.substr(0, equals).c_str(), variable.substr(equals + 1).c_str(), 1);
   }
-  arguments.insert(arguments.begin(), std::string(MORPHGRID_BINARY_DIR) + "/morphgrid");
+  arguments.insert(arguments.begin(), binaryFolder() / "morphgrid");
   std::vector<char*> pointers;
   for (std::string& argument : arguments) {
     pointers.push_back(argument.data());

@@ -4,6 +4,7 @@
 #include "render/strain_renderer.h"
 #include "tests/render/pixels.h"
 #include "tests/render/sample_grids.h"
+#include "tests/support/folders.h"
 #include "tests/support/validated_device.h"
 
 namespace morphgrid {
@@ -36,10 +37,10 @@ TEST_F(GoldenPicture, StrainedSaddle) {
   const Image image =
       renderer.drawStruts(DeviceGrid(device_, grid), Eigen::Isometry3d::Identity(), camera);
 
-  const std::filesystem::path golden = MORPHGRID_SOURCE_DIR "/tests/golden/strained_saddle.png";
+  const std::filesystem::path golden = sourceFolder() / "tests/golden/strained_saddle.png";
   const std::string difference = differenceText(image, golden);
   if (!difference.empty()) {
-    const std::filesystem::path actual = MORPHGRID_BINARY_DIR "/strained_saddle_actual.png";
+    const std::filesystem::path actual = binaryFolder() / "strained_saddle_actual.png";
     writePng(actual, image);
     ADD_FAILURE() << difference << "; look at " << actual << "; if this is how it should look, "
                   << "copy it to " << golden;

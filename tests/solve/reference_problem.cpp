@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/rigid_alignment.h"
+#include "tests/support/folders.h"
 
 namespace morphgrid {
 namespace {
@@ -17,7 +18,7 @@ Eigen::Matrix3Xd toPositions(const nlohmann::json& list) {
 }  // namespace
 
 ReferenceProblem loadReferenceProblem(const std::string& name) {
-  std::ifstream stream(std::string(MORPHGRID_SOURCE_DIR) + "/tests/reference/" + name + ".json");
+  std::ifstream stream(sourceFolder() / "tests/reference" / (name + ".json"));
   const auto json = nlohmann::json::parse(stream);
   ReferenceProblem problem;
   StrutGrid& grid = problem.grid;
