@@ -33,13 +33,17 @@ std::string cell(const std::string& row, int column) {
   return first == text.npos ? "" : text.substr(first, text.find_last_not_of(" `") - first + 1);
 }
 
-/// The keys that have a row in a table under the heading of their section.
+/// The keys that have a row in a table under the heading of their section. Subsections are about
+/// other files.
 std::vector<DocumentedKey> documentedKeys() {
   std::vector<DocumentedKey> keys;
   std::string section, line;
+  bool otherFile = false;
   std::istringstream doc(readDoc());
   while (std::getline(doc, line)) {
     if (line.rfind("## ", 0) == 0) section = between(line, "## [", ']');
+    if (line.rfind("##", 0) == 0) otherFile = line.rfind("###", 0) == 0;
+    if (otherFile) continue;
     const std::string key = between(line, "| `", '`');
     if (key.empty()) continue;
     keys.push_back({section.empty() ? key : section + "." + key, cell(line, 4)});
