@@ -269,6 +269,16 @@ TEST(Smoothing, ANarrowWidthGivesTheMeanOfASegment) {
             1e-14);
 }
 
+TEST(Smoothing, AVastWidthSpreadsTheTurnOfAnIsolineOverItsLength) {
+  // Chords grow with the slope, and the mean is over the length: kappa times it is the angle from
+  // slope 0 to slope 2.
+  const RayHits hits = hitsOn([](double y, double) { return y * y / 2; }, {0, 0, 2, 1}, 101, 2);
+  const double length = surveyMesh(hits, 0).survey.longestIsolineU;
+  const SurfaceMeasurement m = measureMesh(hits, kNoLimit, 1e6);
+  EXPECT_NEAR(m.curvatures.u(0, 0) * length, std::atan(2), 1e-4);
+  EXPECT_NEAR(m.curvatures.u(99, 1) * length, std::atan(2), 1e-4);
+}
+
 TEST(Smoothing, ComesBeforeTheCap) {
   // A crease's bend is spread, not cut off: the cap sees the smoothed curvature only.
   const auto crease = [](double y, double) { return std::abs(y); };
