@@ -2,8 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "grid/strut_grid.h"
+#include "render/draw_sampling.h"
 #include "render/font.h"
+#include "render/sampling_layout.h"
 
 namespace morphgrid {
 namespace {
@@ -27,16 +31,17 @@ PictureOptions optionsFor(const PictureChoices& choices) {
 }  // namespace
 
 Pictures::Pictures(const Device& device, const PictureChoices& choices,
-                   std::filesystem::path folder)
+                   std::filesystem::path folder, View resultView)
     : device_(device),
       options_(optionsFor(choices)),
       folder_(std::move(folder)),
+      resultView_(std::move(resultView)),
       renderer_(device, sceneSize(options_).width, sceneSize(options_).height) {
   Font::findSans();  // A missing font is told before the solve, not after it.
 }
 
-Camera Pictures::frame(const Eigen::Matrix3Xd& points) const {
-  return frameAll(points, kObliqueViewDirection, kUpwards, sceneSize(options_).aspect());
+Camera Pictures::frame(const Eigen::Matrix3Xd& points, const View& view) const {
+  return frameAll(points, view.direction, view.up, sceneSize(options_).aspect());
 }
 
 void Pictures::write(const std::string& name, const std::string& caption, const Image& scene,
@@ -47,10 +52,21 @@ void Pictures::write(const std::string& name, const std::string& caption, const 
   writePng(folder_ / (name + ".png"), composePicture(scene, options));
 }
 
+void Pictures::drawSampling(const TriangleMesh& mesh, const RayHits& hits) const {
+  const SceneSize size = sceneSize(options_);
+  const bool missed = std::find(hits.hit.begin(), hits.hit.end(), 0) != hits.hit.end();
+  const Camera camera = frameRays(mesh, hits, size.aspect());
+  write("sampling",
+        fmt::format("sampling: rays, u splines red, v splines blue{}",
+                    missed ? ", missed rays orange" : ""),
+        morphgrid::drawSampling(device_, mesh, hits, camera, size.width, size.height), false);
+}
+
 void Pictures::drawFlat(const std::string& name, const std::string& caption,
                         const DeviceGrid& deviceGrid, const Eigen::Matrix3Xd& positions) {
   const auto inPlace = Eigen::Isometry3d::Identity();
-  write(name, caption, renderer_.drawStruts(deviceGrid, inPlace, frame(positions)), true);
+  write(name, caption, renderer_.drawStruts(deviceGrid, inPlace, frame(positions, kPatchView)),
+        true);
 }
 
 void Pictures::drawResult(const DeviceGrid& deviceGrid, const Eigen::Matrix3Xd& positions,
@@ -62,7 +78,7 @@ void Pictures::drawResult(const DeviceGrid& deviceGrid, const Eigen::Matrix3Xd& 
   if (targets) {
     seen.rightCols(targets->cols()) = *targets;
   }
-  const Camera camera = frame(seen);
+  const Camera camera = frame(seen, resultView_);
   write("warped", "warped: struts by strain",
         renderer_.drawStruts(deviceGrid, targetFromGrid, camera), true);
   write("surface", "surface: the middle layer",

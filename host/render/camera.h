@@ -19,6 +19,19 @@ struct Camera {
 inline const Eigen::Vector3d kObliqueViewDirection(0.5, 0.85, -0.75);
 inline const Eigen::Vector3d kUpwards(0, 0, 1);
 
+/// A direction to look along and what points up in the picture, as frameAll() takes them.
+struct View {
+  Eigen::Vector3d direction;
+  Eigen::Vector3d up;
+};
+
+/// For results whose target is a patch, printed in z = 0 and bent towards +z.
+inline const View kPatchView{kObliqueViewDirection, kUpwards};
+/// What rays along +x see of a mesh, y up.
+inline const View kRayView{{1, 0, 0}, {0, 1, 0}};
+/// For results whose target is a mesh: from where the rays come, a little from above and the left.
+inline const View kMeshView{{0.85, -0.3, 0.5}, {0, 1, 0}};
+
 /// The nearest camera that looks along viewDirection and sees all points, with a margin, centred.
 /// points: 3 x n, n >= 1, in world coordinates. viewDirection: any length but 0; up: what points up
 /// in the picture; where it is parallel to viewDirection, some direction is taken. aspect = width /

@@ -23,30 +23,18 @@ constexpr int kFinestRefinement = 16;
 constexpr int kMostIsolines = 50;  // Along u, and along v.
 
 constexpr auto kTexels = vk::DescriptorType::eUniformTexelBuffer;
-const glm::dvec3 kTowardsLightInView(-0.45, 0.65, 0.62);
 
 TexelView texelsOf(const Device& device, const Buffer& buffer) {
   return {device, buffer, vk::Format::eR32G32B32A32Sint, sizeof(ivec4)};
 }
 
-/// The view of a camera in local coordinates: spacings about the grid's fixed-point zero.
-struct LocalView {
-  mat4 clipFromLocal;
-  vec3 eye;
-  vec3 towardsLight;
-};
-
-LocalView localView(const DeviceGrid& grid, const Eigen::Isometry3d& worldFromGrid,
-                    const Camera& camera) {
+/// Local coordinates: spacings about the grid's fixed-point zero.
+glm::dmat4 worldFromLocal(const DeviceGrid& grid, const Eigen::Isometry3d& worldFromGrid) {
   const Eigen::Matrix4d& rigid = worldFromGrid.matrix();
   const Eigen::Vector3d& origin = grid.origin();
-  glm::dmat4 worldFromLocal = glm::make_mat4(rigid.data());
-  worldFromLocal = glm::translate(worldFromLocal, {origin.x(), origin.y(), origin.z()});
-  worldFromLocal = glm::scale(worldFromLocal, glm::dvec3(grid.spacing()));
-  const glm::dmat4 viewFromLocal = camera.viewFromWorld * worldFromLocal;
-  const glm::dmat4 localFromView = glm::inverse(viewFromLocal);
-  return {mat4(camera.clipFromView * viewFromLocal), vec3(localFromView[3]),
-          vec3(glm::normalize(localFromView * glm::dvec4(kTowardsLightInView, 0)))};
+  const glm::dmat4 moved =
+      glm::translate(glm::make_mat4(rigid.data()), {origin.x(), origin.y(), origin.z()});
+  return glm::scale(moved, glm::dvec3(grid.spacing()));
 }
 
 double chooseHalfWidth(const GridShape& shape) {
@@ -54,7 +42,7 @@ double chooseHalfWidth(const GridShape& shape) {
   return std::min(kStrutHalfWidth, kLargestHalfWidth * longerSide);
 }
 
-StrutPush strutPush(const DeviceGrid& grid, const LocalView& view, double pixelSize) {
+StrutPush strutPush(const DeviceGrid& grid, const LocalView& view) {
   const GridShape& shape = grid.shape();
   StrutPush push{};
   push.clipFromLocal = view.clipFromLocal;
@@ -66,7 +54,7 @@ StrutPush strutPush(const DeviceGrid& grid, const LocalView& view, double pixelS
   push.verticesV = shape.verticesV;
   push.layers = shape.layers;
   push.restResolution = static_cast<float>(grid.restResolution());
-  push.pixelSize = static_cast<float>(pixelSize);
+  push.pixelSize = view.pixelSize;
   return push;
 }
 
@@ -116,8 +104,7 @@ Image StrainRenderer::drawStruts(const DeviceGrid& grid, const Eigen::Isometry3d
   const TexelView rest = texelsOf(device_, grid.rest());
   const ResourceSet resources(device_, strutPipeline_.setLayout(),
                               {{kBindingPositions, &positions}, {kBindingRest, &rest}});
-  const double pixelSize = 2 / (target_.height() * std::abs(camera.clipFromView[1][1]));
-  StrutPush push = strutPush(grid, localView(grid, worldFromGrid, camera), pixelSize);
+  StrutPush push = strutPush(grid, viewOf(grid, worldFromGrid, camera));
   return imageOf(target_.render([&](const vk::raii::CommandBuffer& commands) {
     strutPipeline_.bind(commands, resources);
     for (const int count : strutCounts(grid.shape())) {
@@ -134,12 +121,17 @@ Image StrainRenderer::drawSurface(const DeviceGrid& grid, const Eigen::Isometry3
   const TexelView positions = texelsOf(device_, grid.positions());
   const ResourceSet resources(device_, surfacePipeline_.setLayout(),
                               {{kBindingPositions, &positions}});
-  const SurfacePush push = surfacePush(grid, localView(grid, worldFromGrid, camera));
+  const SurfacePush push = surfacePush(grid, viewOf(grid, worldFromGrid, camera));
   const int quads = (push.verticesU - 1) * (push.verticesV - 1) * push.refine * push.refine;
   return imageOf(target_.render([&](const vk::raii::CommandBuffer& commands) {
     surfacePipeline_.bind(commands, resources);
     surfacePipeline_.draw(commands, push, kVerticesPerQuad * static_cast<uint>(quads));
   }));
+}
+
+LocalView StrainRenderer::viewOf(const DeviceGrid& grid, const Eigen::Isometry3d& worldFromGrid,
+                                 const Camera& camera) const {
+  return localView(worldFromLocal(grid, worldFromGrid), camera, static_cast<int>(target_.height()));
 }
 
 Image StrainRenderer::imageOf(std::vector<std::uint8_t> rgba) const {

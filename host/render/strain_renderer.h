@@ -5,6 +5,7 @@
 #include "gpu/offscreen_target.h"
 #include "render/camera.h"
 #include "render/image.h"
+#include "render/local_view.h"
 #include "solve/device_grid.h"
 
 namespace morphgrid {
@@ -28,6 +29,8 @@ class StrainRenderer {
                     const Camera& camera);
 
  private:
+  LocalView viewOf(const DeviceGrid& grid, const Eigen::Isometry3d& worldFromGrid,
+                   const Camera& camera) const;
   Image imageOf(std::vector<std::uint8_t> rgba) const;
 
   const Device& device_;

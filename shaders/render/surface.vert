@@ -3,6 +3,7 @@
 #extension GL_GOOGLE_include_directive : require
 #include "shared/render_types.h"
 #include "shared/solver_types.h"
+#include "render/catmull_rom.glsl"
 
 layout(binding = kBindingPositions) uniform isamplerBuffer positions;
 layout(push_constant) uniform Push { SurfacePush push; };
@@ -14,7 +15,6 @@ layout(location = 2) out vec2 parameter;  // In cells.
 const ivec2 kCorners[kVerticesPerQuad] =
     ivec2[](ivec2(0, 0), ivec2(1, 0), ivec2(1, 1), ivec2(0, 0), ivec2(1, 1), ivec2(0, 1));
 
-// Weights of the points before, at, after and beyond the ends of a segment.
 struct Spline {
   int segment;
   vec4 point;
@@ -36,12 +36,8 @@ vec4 withinLattice(vec4 weights, int segment, int count) {
 Spline splineAt(int sampleIndex, int count) {
   int segment = min(sampleIndex / push.refine, count - 2);
   float t = float(sampleIndex - segment * push.refine) / float(push.refine);
-  vec4 point = 0.5 * vec4(t * (-1 + t * (2 - t)), 2 + t * t * (3 * t - 5),
-                          t * (1 + t * (4 - 3 * t)), t * t * (t - 1));
-  vec4 tangent = 0.5 * vec4(-1 + t * (4 - 3 * t), t * (9 * t - 10), 1 + t * (8 - 9 * t),
-                            t * (3 * t - 2));
-  return Spline(segment, withinLattice(point, segment, count),
-                withinLattice(tangent, segment, count));
+  return Spline(segment, withinLattice(pointWeights(t), segment, count),
+                withinLattice(tangentWeights(t), segment, count));
 }
 
 // Of the middle layer, or of the middle two.

@@ -16,8 +16,18 @@ using uint = std::uint32_t;
 // Two triangles.
 CONSTANT uint kVerticesPerQuad = 6u;
 
-// Bindings kBindingPositions and kBindingRest of solver_types.h. Local coordinates are spacings
-// about the zero of the fixed-point positions.
+// A ball is drawn as a disc that faces the eye: a fan of triangles.
+CONSTANT uint kDiscSides = 16u;
+CONSTANT uint kVerticesPerDisc = 3u * kDiscSides;
+
+// Bindings of the shaders that draw how rays sampled a mesh; buffers.
+CONSTANT uint kBindingMeshVertices = 0u;   // three floats a vertex, local
+CONSTANT uint kBindingMeshTriangles = 1u;  // three vertex indices a triangle
+CONSTANT uint kBindingRayHits = 2u;  // vec4 a ray: where it hit, local; w is 0 where it missed
+CONSTANT uint kBindingBalls = 3u;    // vec4 a ball: its centre, local; w is 0 for a missed ray
+
+// Struts and surfaces: bindings kBindingPositions and kBindingRest of solver_types.h. Local
+// coordinates are spacings about the zero of the fixed-point positions.
 
 struct StrutPush {
   mat4 clipFromLocal;
@@ -45,9 +55,26 @@ struct SurfacePush {
   int isolineStride;  // Cells from one isoline to the next.
 };
 
+// Local coordinates here are about the middle of the sampled box, whose diagonal is 1.
+struct SamplingPush {
+  mat4 clipFromLocal;
+  vec3 eye;           // local
+  float pixelSize;    // What a pixel covers at a distance of 1.
+  vec3 towardsLight;  // local, unit length
+  float radius;       // Of a ball; of a spline, half its width.
+  float lift;         // How far towards the eye it is drawn, so that the mesh does not cover it.
+  int countU;         // Rays.
+  int countV;
+  int strideU;  // Rays from one drawn isoline to the next.
+  int strideV;
+  int refine;     // Pieces of a spline from one ray to the next.
+  int direction;  // 0, 1: the splines along u, along v.
+};
+
 #ifdef __cplusplus
 static_assert(sizeof(StrutPush) == 120);
 static_assert(sizeof(SurfacePush) == 112);
+static_assert(sizeof(SamplingPush) == 124);
 }  // namespace morphgrid
 #endif
 #undef CONSTANT

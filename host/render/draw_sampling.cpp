@@ -1,0 +1,171 @@
+#include "render/draw_sampling.h"
+
+#include <fmt/format.h>
+
+#include <glm/gtc/matrix_transform.hpp>
+
+#include "core/error.h"
+#include "gpu/graphics_pipeline.h"
+#include "gpu/offscreen_target.h"
+#include "render/ball_vert.h"
+#include "render/local_view.h"
+#include "render/mesh_frag.h"
+#include "render/mesh_vert.h"
+#include "render/round_frag.h"
+#include "render/sampling_layout.h"
+#include "render/spline_vert.h"
+#include "shared/render_types.h"
+
+namespace morphgrid {
+namespace {
+
+constexpr int kFewestPieces = 400;         // Of a spline: it looks smooth.
+constexpr double kLineHalfWidth = 0.0016;  // Shares of the sampled box's diagonal.
+constexpr double kBallRadius = 0.0055;
+constexpr double kLinePerCell = 0.06;  // The largest half width and radius, in drawn cells.
+constexpr double kBallPerCell = 0.17;
+constexpr double kLiftPerStep = 0.5;  // Of the rays: the mesh bulges between them.
+
+/// Local coordinates, see SamplingPush.
+struct LocalFrame {
+  Eigen::Vector3d origin;
+  double unit;
+
+  explicit LocalFrame(const SamplingLayout& layout)
+      : origin(layout.sampled.center()), unit(layout.sampled.diagonal().norm()) {}
+
+  glm::dmat4 worldFromLocal() const {
+    const glm::dmat4 moved = glm::translate(glm::dmat4(1), {origin.x(), origin.y(), origin.z()});
+    return glm::scale(moved, glm::dvec3(unit));
+  }
+  Eigen::Matrix3Xf toLocal(const Eigen::Matrix3Xd& points) const {
+    return ((points.colwise() - origin) / unit).cast<float>();
+  }
+};
+
+Eigen::Matrix4Xf localHits(const LocalFrame& frame, const RayHits& hits) {
+  Eigen::Matrix4Xf rays(4, hits.points.cols());
+  rays.topRows<3>() = frame.toLocal(hits.points);
+  rays.row(3) =
+      Eigen::Map<const Eigen::RowVectorX<char>>(hits.hit.data(), rays.cols()).cast<float>();
+  return rays;
+}
+
+Eigen::Matrix4Xf localBalls(const LocalFrame& frame, const SamplingLayout& layout,
+                            const RayHits& hits) {
+  const Eigen::Matrix3Xf points = frame.toLocal(crossingHits(layout, hits));
+  const Eigen::Matrix3Xf marks = frame.toLocal(missedMarks(layout, hits));
+  Eigen::Matrix4Xf balls(4, points.cols() + marks.cols());
+  balls.leftCols(points.cols()) = points.colwise().homogeneous();
+  balls.rightCols(marks.cols()).topRows<3>() = marks;
+  balls.rightCols(marks.cols()).row(3).setZero();
+  return balls;
+}
+
+/// columns: of 3 or 4 numbers of four bytes; `what` names them where they are too many.
+template <typename Columns>
+Buffer uploadColumns(const Device& device, const Columns& columns, const char* what) {
+  const vk::DeviceSize bytes = columns.size() * sizeof(columns(0, 0));
+  const vk::DeviceSize limit = device.limits().maxStorageBufferRange;
+  if (bytes > limit) {
+    throw DeviceError(fmt::format(
+        "device {} draws at most {} {} of a mesh, got {}; use a coarser one, or pictures = false",
+        device.name(), limit / (columns.rows() * sizeof(columns(0, 0))), what, columns.cols()));
+  }
+  Buffer buffer(device, bytes,
+                vk::BufferUsageFlagBits::eStorageBuffer | vk::BufferUsageFlagBits::eTransferDst,
+                MemoryKind::device);
+  uploadBytes(device, buffer, columns.data(), bytes);
+  return buffer;
+}
+
+/// Things that are drawn by one pair of shaders, from the same buffers.
+class Layer {
+ public:
+  Layer(const Device& device, const OffscreenTarget& target, const ShaderPair& shaders,
+        const std::vector<KernelResource>& buffers)
+      : pipeline_(device, shaders, slotsOf(buffers), sizeof(SamplingPush), target.renderPass(),
+                  target.samples()),
+        resources_(device, pipeline_.setLayout(), buffers) {}
+
+  void draw(const vk::raii::CommandBuffer& commands, const SamplingPush& push,
+            Eigen::Index vertexCount) const {
+    pipeline_.bind(commands, resources_);
+    pipeline_.draw(commands, push, static_cast<uint>(vertexCount));
+  }
+
+ private:
+  GraphicsPipeline pipeline_;
+  ResourceSet resources_;
+};
+
+SamplingPush commonPush(const LocalView& view, const SamplingLayout& layout) {
+  SamplingPush push{};
+  push.clipFromLocal = view.clipFromLocal;
+  push.eye = view.eye;
+  push.pixelSize = view.pixelSize;
+  push.towardsLight = view.towardsLight;
+  push.countU = layout.columns.rays;
+  push.countV = layout.rows.rays;
+  push.strideU = layout.columns.stride;
+  push.strideV = layout.rows.stride;
+  return push;
+}
+
+/// Splines along u (direction 0) or v (1), `rays` hits each.
+SamplingPush splinePush(SamplingPush push, const SamplingLayout& layout, int direction, int rays) {
+  const double unit = layout.sampled.diagonal().norm();
+  push.radius = static_cast<float>(std::min(kLineHalfWidth, kLinePerCell * layout.cell / unit));
+  push.lift = static_cast<float>(kLiftPerStep * layout.rayStep / unit) + push.radius;
+  push.direction = direction;
+  push.refine = 1 + (kFewestPieces - 1) / (rays - 1);
+  return push;
+}
+
+/// Balls lie in front of the splines.
+SamplingPush ballPush(SamplingPush push, const SamplingLayout& layout) {
+  const double unit = layout.sampled.diagonal().norm();
+  push.radius = static_cast<float>(std::min(kBallRadius, kBallPerCell * layout.cell / unit));
+  push.lift = static_cast<float>(kLiftPerStep * layout.rayStep / unit) + 2 * push.radius;
+  return push;
+}
+
+Eigen::Index splineVertices(const SamplingPush& push, int isolines, int rays) {
+  return Eigen::Index{kVerticesPerQuad} * isolines * (rays - 1) * push.refine;
+}
+
+}  // namespace
+
+Image drawSampling(const Device& device, const TriangleMesh& mesh, const RayHits& hits,
+                   const Camera& camera, int width, int height, int samples) {
+  const SamplingLayout layout = layOutSampling(mesh, hits);
+  const LocalFrame frame(layout);
+  const Eigen::Matrix4Xf ballColumns = localBalls(frame, layout, hits);
+  const Buffer vertices = uploadColumns(device, frame.toLocal(mesh.vertices), "vertices");
+  const Buffer triangles = uploadColumns(device, mesh.triangles, "triangles");
+  const Buffer rays = uploadColumns(device, localHits(frame, hits), "rays");
+  const Buffer balls = uploadColumns(device, ballColumns, "rays");
+
+  OffscreenTarget target(device, static_cast<uint>(width), static_cast<uint>(height),
+                         static_cast<uint>(samples));
+  const Layer meshLayer(device, target, {mesh_vert_spirv, mesh_frag_spirv},
+                        {{kBindingMeshVertices, &vertices}, {kBindingMeshTriangles, &triangles}});
+  const Layer splineLayer(device, target, {spline_vert_spirv, round_frag_spirv},
+                          {{kBindingRayHits, &rays}});
+  const Layer ballLayer(device, target, {ball_vert_spirv, round_frag_spirv},
+                        {{kBindingBalls, &balls}});
+
+  const SamplingPush push = commonPush(localView(frame.worldFromLocal(), camera, height), layout);
+  const SamplingPush alongU = splinePush(push, layout, 0, hits.countU);
+  const SamplingPush alongV = splinePush(push, layout, 1, hits.countV);
+  return {width, height, target.render([&](const vk::raii::CommandBuffer& commands) {
+            meshLayer.draw(commands, push, mesh.triangles.size());
+            splineLayer.draw(commands, alongU,
+                             splineVertices(alongU, layout.rows.count, hits.countU));
+            splineLayer.draw(commands, alongV,
+                             splineVertices(alongV, layout.columns.count, hits.countV));
+            ballLayer.draw(commands, ballPush(push, layout), kVerticesPerDisc * ballColumns.cols());
+          })};
+}
+
+}  // namespace morphgrid
