@@ -119,7 +119,8 @@ Stagehands summonStagehands(const Scene& scene, const RunOptions& options,
     hands.device = std::make_unique<Device>(options.device);
   }
   if (scene.pictures.enabled) {
-    hands.pictures = std::make_unique<Pictures>(*hands.device, scene.pictures, folder);
+    hands.pictures = std::make_unique<Pictures>(*hands.device, scene.pictures, folder,
+                                                scene.mesh ? kMeshView : kPatchView);
   }
   return hands;
 }
@@ -163,6 +164,9 @@ RunRecord runScene(const Scene& scene, const RunOptions& options) {
   RunRecord record = recordOf(scene, designed);
 
   const Stagehands hands = summonStagehands(scene, options, folder);
+  if (hands.pictures && designed.sampling) {
+    hands.pictures->drawSampling(scene.mesh->mesh, designed.sampling->hits);
+  }
   record.device = scene.method == Method::jacobi ? hands.device->name() : "CPU, double precision";
 
   Stage stage = runInPlane(scene, options, designed.design, hands);
