@@ -163,7 +163,7 @@ class SymmetricMesh : public testing::TestWithParam<Placement> {
         transformed(Eigen::Translation3d(offset) * Eigen::Scaling(scale), mesh));
     const double half = halfBox * scale;
     const SamplingBox box{offset.y() - half, offset.z() - half, 2 * half, 2 * half};
-    for (int count = 3; count < 130; count += 2) {
+    for (int count = 3; count < 130; count += count < 21 ? 2 : 18) {
       EXPECT_EQ(missed(caster.cast(box, count, count)), 0) << count << " x " << count;
     }
     EXPECT_EQ(missed(caster.cast(box, 1001, 3)), 0);

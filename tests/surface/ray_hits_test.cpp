@@ -126,6 +126,14 @@ TEST(FillHoles, IsExactForALinearField) {
   EXPECT_LE(largestError(hits, linear), 1e-12);
 }
 
+TEST(FillHoles, IsExactForAHarmonicFieldWhateverTheSteps) {
+  const auto saddle = [](double u, double v) { return u * u - v * v; };
+  RayHits hits = sampleHits(kBox, 21, 11, saddle);
+  punchHole(hits, 4, 12, 3, 7);
+  EXPECT_EQ(fillHoles(hits, 10), 45);
+  EXPECT_LE(largestError(hits, saddle), 1e-12);
+}
+
 TEST(FillHoles, ComesCloseToASmoothField) {
   const auto dome = [](double u, double v) { return std::sqrt(9 - u * u - v * v); };
   RayHits hits = sampleHits({-1, -1, 2, 2}, 41, 41, dome);
