@@ -120,8 +120,10 @@ TEST_F(SamplingPicture, MeshBehindHidesNothing) {
 }
 
 TEST_F(SamplingPicture, SurfaceDoesNotSwallowItsLines) {
-  const RayHits hits = heightHits(dome, kBox, 25, 19);
-  const TriangleMesh mesh = heightMesh(dome, 10, 8, 17, 13);  // Facets bulge between the rays.
+  // Its facets lie in front of it.
+  const auto bowl = [](double y, double z) { return -dome(y, z); };
+  const RayHits hits = heightHits(bowl, kBox, 25, 19);
+  const TriangleMesh mesh = heightMesh(bowl, 10, 8, 17, 13);
   const TriangleMesh speck = speckAt({1, 5, 4});
   const Camera camera = frameRays(mesh, hits, kAspect);
   const Image free = drawSampling(device_, speck, hits, camera, kWidth, kHeight);
