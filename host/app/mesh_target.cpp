@@ -17,7 +17,7 @@ constexpr const char* kBoxKeys[] = {"u_start", "v_start", "u_length", "v_length"
 
 void requireBox(TomlReader& reader, TomlSection& surface, const MeshTarget& target) {
   if (std::any_of(std::begin(kBoxKeys), std::end(kBoxKeys),
-                  [&](const char* key) { return surface.holds(key); })) {
+                  [&](const char* key) { return surface.node(key) != nullptr; })) {
     for (const char* key : kBoxKeys) surface.require(key);
     return;
   }
@@ -28,14 +28,22 @@ void requireBox(TomlReader& reader, TomlSection& surface, const MeshTarget& targ
                   MeshSampler(target).boxAdvice()));
 }
 
+TriangleMesh subdivided(const MeshConfiguration& configuration) {
+  const TriangleMesh mesh = loadMesh(configuration.mesh);
+  try {
+    return subdivideLoop(mesh, configuration.subdivisions);
+  } catch (const InputError& error) {
+    throw InputError(fmt::format("{}: {}", configuration.mesh.string(), error.what()));
+  }
+}
+
 /// What the configuration file asks for, loaded.
 MeshTarget loadConfigured(const std::filesystem::path& file, MeshTarget target) {
   const MeshConfiguration configuration = readMeshConfiguration(file);
   target.file = configuration.mesh;
   target.samplesU = configuration.samplesU;
   target.samplesV = configuration.samplesV;
-  target.mesh = transformed(configuration.worldFromMesh, subdivideLoop(loadMesh(configuration.mesh),
-                                                                       configuration.subdivisions));
+  target.mesh = transformed(configuration.worldFromMesh, subdivided(configuration));
   return target;
 }
 

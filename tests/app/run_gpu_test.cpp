@@ -50,6 +50,20 @@ TEST_F(Run, LeavesReportPicturesAndFiles) {
             json["distance_to_target"]["rms_percent"].get<double>());
 }
 
+TEST_F(Run, MeshesAreSampledWithRays) {
+  const ProcessResult run = runMorphgrid({"run", sceneFile("face"), "--out", out(), "--validate",
+                                          "--set", "grid.nodes_long=8", "--set", "output.width=320",
+                                          "--set", "output.height=240"});
+  EXPECT_EQ(run.exitCode, 0) << run.output;
+  EXPECT_TRUE(exists("sampling.png"));
+  EXPECT_TRUE(exists("warped.png"));
+  const auto mesh = report()["mesh"];
+  EXPECT_EQ(mesh["triangles"], 4 * 898);
+  EXPECT_EQ(mesh["missed"], 0);
+  EXPECT_GT(mesh["largest_jump"].get<double>(), 0);
+  EXPECT_GE(mesh["seconds_rays"].get<double>(), 0);
+}
+
 TEST_F(Run, DeviceAgreesWithTheReferenceMethod) {
   const std::vector<std::string> common{
       "run",   sceneFile("egg_chair"), "--quiet", "--set", "grid.nodes_long=8",

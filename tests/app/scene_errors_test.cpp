@@ -26,21 +26,23 @@ TEST(SceneErrors, KeysOfAnotherKind) {
             "is \"bezier\"\n"
             "scene.toml:10:11: grid.nodes_v belongs to surfaces of kind \"bend_angles\", this one "
             "is \"bezier\"");
-  EXPECT_EQ(SceneFiles("surface = { kind = \"bend_angles\", patch = \"missing.toml\" }\n" +
-                       std::string("[grid]\nlayer_spacing = 1\nnodes_u = 1\nnodes_v = 1\n") +
-                       "nodes_long = 0\nmax_shrinkage = 0.4\ncurvature_cutoff = 1\n")
-                .problems(),
-            "scene.toml:1:43: surface.patch belongs to surfaces of kind \"bezier\", this one is "
-            "\"bend_angles\"\n"
-            "scene.toml:6:14: grid.nodes_long belongs to surfaces of kind \"bezier\", this one is "
-            "\"bend_angles\"\n"
-            "scene.toml:8:20: grid.curvature_cutoff belongs to surfaces of kind \"bezier\", this "
-            "one is \"bend_angles\"");
+  EXPECT_EQ(
+      SceneFiles("surface = { kind = \"bend_angles\", patch = \"missing.toml\" }\n" +
+                 std::string("[grid]\nlayer_spacing = 1\nnodes_u = 1\nnodes_v = 1\n") +
+                 "nodes_long = 0\nmax_shrinkage = 0.4\ncurvature_cutoff = 1\n")
+          .problems(),
+      "scene.toml:1:43: surface.patch belongs to surfaces of kind \"bezier\", this one is "
+      "\"bend_angles\"\n"
+      "scene.toml:6:14: grid.nodes_long belongs to surfaces of kind \"bezier\" or \"mesh\", this "
+      "one is \"bend_angles\"\n"
+      "scene.toml:8:20: grid.curvature_cutoff belongs to surfaces of kind \"bezier\" or \"mesh\", "
+      "this one is \"bend_angles\"");
 }
 
 TEST(SceneErrors, MissingKeys) {
   EXPECT_EQ(SceneFiles("").problems(),
-            "scene.toml:1:1: surface.kind is missing: it must be \"bezier\" or \"bend_angles\"\n"
+            "scene.toml:1:1: surface.kind is missing: it must be \"bezier\" or \"mesh\" or "
+            "\"bend_angles\"\n"
             "scene.toml:1:1: grid.layer_spacing is missing: it must be a number > 0");
   EXPECT_EQ(SceneFiles("\n[surface]\nkind = \"bezier\"\n\n  [grid]\n").problems(),
             "scene.toml:2:1: surface.patch is missing: it must be a string\n"

@@ -1,0 +1,155 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fmt/format.h>
+
+#include <functional>
+
+#include "app/design_scene.h"
+#include "app/pipeline.h"
+#include "core/error.h"
+#include "tests/support/temporary_folder.h"
+
+namespace morphgrid {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+
+constexpr const char* kBox = "u_start = -1\nv_start = -1\nu_length = 2\nv_length = 2\n";
+
+/// x(y, z) over [-1, 1]^2 in 20 x 20 cells of two triangles; cells that `cut` names are left out.
+std::string heightFieldObj(const std::function<double(double, double)>& x,
+                           const std::function<bool(double, double)>& cut = nullptr) {
+  constexpr int kCells = 20;
+  std::string obj;
+  const auto place = [](int n) { return 2.0 * n / kCells - 1; };
+  for (int j = 0; j <= kCells; ++j) {
+    for (int i = 0; i <= kCells; ++i) {
+      obj += fmt::format("v {} {} {}\n", x(place(i), place(j)), place(i), place(j));
+    }
+  }
+  for (int j = 0; j < kCells; ++j) {
+    for (int i = 0; i < kCells; ++i) {
+      if (cut && cut(place(i) + 1.0 / kCells, place(j) + 1.0 / kCells)) continue;
+      const int first = j * (kCells + 1) + i + 1;
+      obj +=
+          fmt::format("f {} {} {} {}\n", first, first + 1, first + kCells + 2, first + kCells + 1);
+    }
+  }
+  return obj;
+}
+
+double dome(double y, double z) { return 0.2 * (y * y + z * z); }
+
+/// Scene, mesh configuration and mesh in a folder of their own.
+class MeshSceneFiles {
+ public:
+  explicit MeshSceneFiles(const std::string& obj, const std::string& surfaceKeys = kBox) {
+    folder_.write("m.obj", obj);
+    folder_.write("m.toml", "mesh = \"m.obj\"\nsamples_u = 21\nsamples_v = 21\n");
+    scene_ = folder_.write("scene.toml", "[surface]\nkind = \"mesh\"\nmesh = \"m.toml\"\n" +
+                                             surfaceKeys +
+                                             "[grid]\nlayer_spacing = 0.05\nnodes_long = 8\n");
+  }
+
+  RunRecord check() const { return checkScene(loadScene(scene_)); }
+  SceneDesign design() const { return designScene(loadScene(scene_)); }
+
+  std::string problems() const {
+    try {
+      check();
+    } catch (const InputError& error) {
+      return folder_.withoutPath(error.what());
+    }
+    return "";
+  }
+
+ private:
+  TemporaryFolder folder_;
+  std::filesystem::path scene_;
+};
+
+TEST(MeshScene, DesignsAGridOnTheMesh) {
+  const MeshSceneFiles files(heightFieldObj(dome));
+  const SceneDesign designed = files.design();
+  EXPECT_EQ(designed.design.nodesU, 8);
+  EXPECT_EQ(designed.design.nodesV, 8);
+  ASSERT_TRUE(designed.targets);
+  for (const auto& point : designed.targets->colwise()) {
+    EXPECT_NEAR(point.x(), dome(point.y(), point.z()), 0.002);  // The mesh's chords.
+  }
+  for (const double theta : designed.design.bendAngles.allU()) {
+    EXPECT_GT(theta, 0);  // It curves towards +x, the normal of (u, v) = (y, z).
+  }
+}
+
+TEST(MeshScene, RecordsHowRaysSampledIt) {
+  const RunRecord record = MeshSceneFiles(heightFieldObj(dome)).check();
+  ASSERT_TRUE(record.mesh);
+  EXPECT_EQ(record.mesh->triangles, 800);
+  EXPECT_EQ(record.mesh->rays, 21 * 21 + 9 * 9);
+  EXPECT_EQ(record.mesh->missed, 0);
+  EXPECT_NEAR(record.mesh->largestJump, 0.38, 1e-9);  // Between y = 0.9 and 1.
+  ASSERT_TRUE(record.mesh->suggestedBox);
+  EXPECT_GT(record.mesh->suggestedBox->uLength, 1.9);
+  ASSERT_TRUE(record.measurement->curvatureNoise);
+  EXPECT_FALSE(record.measurement->cutoffs.empty());
+}
+
+TEST(MeshScene, WithoutABoxSuggestsOne) {
+  EXPECT_THAT(
+      MeshSceneFiles(heightFieldObj(dome), "").problems(),
+      AllOf(
+          HasSubstr("scene.toml:1:1: surface.u_start, v_start, u_length and v_length are missing"),
+          HasSubstr("the mesh spans u -1 to 1, v -1 to 1"),
+          HasSubstr("a box without holes: u_start = -0.99")));
+}
+
+TEST(MeshScene, APartOfABoxIsNotEnough) {
+  EXPECT_EQ(
+      MeshSceneFiles(heightFieldObj(dome), "u_start = -1\nu_length = 2\nv_length = 2\n").problems(),
+      "scene.toml:1:1: surface.v_start is missing: it must be a finite number");
+}
+
+TEST(MeshScene, HolesStopTheRunUnlessFilled) {
+  const std::string holed =
+      heightFieldObj(dome, [](double y, double z) { return y > 0 && y < 0.2 && z > 0 && z < 0.1; });
+  EXPECT_THAT(MeshSceneFiles(holed).problems(),
+              AllOf(HasSubstr("miss "), HasSubstr("1 hole"), HasSubstr("surface.fill_holes"),
+                    HasSubstr("a box without holes: u_start = ")));
+  const RunRecord record = MeshSceneFiles(holed, std::string(kBox) + "fill_holes = 0.5\n").check();
+  EXPECT_GT(record.mesh->missed, 0);
+}
+
+TEST(MeshScene, RaysBesideTheMeshStopTheRun) {
+  EXPECT_THAT(
+      MeshSceneFiles(heightFieldObj(dome),
+                     "u_start = 0\nv_start = -1\nu_length = 2\nv_length = 2\nfill_holes = 9\n")
+          .problems(),
+      HasSubstr("miss "));
+}
+
+TEST(MeshScene, OverhangsStopTheRunUnlessAllowed) {
+  const std::string cliff = heightFieldObj([](double y, double) { return y > 0.05 ? 5.0 : 0.0; });
+  EXPECT_THAT(
+      MeshSceneFiles(cliff).problems(),
+      AllOf(HasSubstr("steeper than surface.steepest_slope = 20"), HasSubstr("u 0.05, v ")));
+  EXPECT_EQ(MeshSceneFiles(cliff, std::string(kBox) + "steepest_slope = 60\n").problems(), "");
+}
+
+TEST(MeshScene, SmoothingLowersTheNoise) {
+  const std::string rough = heightFieldObj(
+      [](double y, double z) { return dome(y, z) + 0.002 * std::sin(40 * y) * std::sin(37 * z); });
+  const auto noise = [&](const char* keys) {
+    return *MeshSceneFiles(rough, std::string(kBox) + keys).check().measurement->curvatureNoise;
+  };
+  EXPECT_LT(noise("smoothing_width = 0.5\n"), 0.3 * noise(""));
+}
+
+TEST(MeshScene, ABrokenMeshIsToldWithItsFile) {
+  EXPECT_THAT(MeshSceneFiles("v 0 0 0\nf 1 2 3\n").problems(), HasSubstr("m.obj"));
+}
+
+}  // namespace
+}  // namespace morphgrid
