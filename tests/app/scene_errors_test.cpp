@@ -84,10 +84,11 @@ TEST(SceneErrors, UnknownKeys) {
 }
 
 TEST(SceneErrors, Kind) {
-  EXPECT_EQ(SceneFiles("[surface]\nkind = \"mesh\"\npatch = \"p.toml\"\ntheta_u = [0, 4]\n[grid]\n"
+  EXPECT_EQ(SceneFiles("[surface]\nkind = \"nurbs\"\npatch = \"p.toml\"\ntheta_u = [0, 4]\n[grid]\n"
                        "layer_spacing = 1\nnodes_long = 4\nnodes_u = 3\n")
                 .problems(),
-            "scene.toml:2:8: surface.kind must be \"bezier\" or \"bend_angles\", got \"mesh\"\n"
+            "scene.toml:2:8: surface.kind must be \"bezier\" or \"mesh\" or \"bend_angles\", got "
+            "\"nurbs\"\n"
             "scene.toml:4:15: surface.theta_u[1] must be a number >= -pi and <= pi, got 4");
 }
 

@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "core/read_file.h"
+#include "surface/mesh_configuration.h"
 #include "tests/app/scene_files.h"
 #include "tests/support/folders.h"
 
@@ -100,10 +101,12 @@ TEST(SceneFormatDoc, GivesTheRightDefaults) {
 
 TEST(SceneFormatDoc, ItsExamplesLoad) {
   const std::vector<std::string> examples = blocks("toml");
-  ASSERT_EQ(examples.size(), 2u);
+  ASSERT_EQ(examples.size(), 3u);
   const TemporaryFolder folder;
   folder.write("patches/egg_chair.toml", examples[1]);
   EXPECT_EQ(loadScene(folder.write("scene.toml", examples[0])).solve.tolerance, 1e-10);
+  folder.write("face.obj", "v 0 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\n");
+  EXPECT_EQ(readMeshConfiguration(folder.write("mesh.toml", examples[2])).samplesU, 100);
 }
 
 TEST(SceneFormatDoc, ItsErrorsLookLikeThat) {

@@ -105,7 +105,7 @@ TEST(Scenes, AllLoadWithoutSettingsOfTheirOwnForTheSolver) {
     EXPECT_EQ(scene.solve.tolerance, SolveOptions().tolerance);
     EXPECT_EQ(scene.weights.vertical, 40);
   }
-  EXPECT_EQ(count, 4);
+  EXPECT_EQ(count, 6);
 }
 
 TEST(Scenes, HaveTheMeasuresThatThePaperPrints) {
