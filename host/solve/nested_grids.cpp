@@ -1,0 +1,278 @@
+#include "solve/nested_grids.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace morphgrid {
+namespace {
+
+using Eigen::Matrix3Xd;
+
+constexpr int kCoarsestNodes = 10;
+constexpr double kThicknessPerLevel = 1.4142135623730951;
+// Rest lengths of the layers of one strut may differ by this share of their mean.
+constexpr double kLargestLayerDifference = 0.35;
+
+/// Where a point of a line of `count` points lies among the `coarseCount` points of a coarser line
+/// over the same length, or the other way round.
+double matchingPlace(int index, int count, int otherCount) {
+  return count > 1 ? double(index) * (otherCount - 1) / (count - 1) : 0;
+}
+
+/// Interpolation at a place on a line: linear, or cubic where there are four points.
+struct Stencil {
+  int first;
+  int count;
+  std::array<double, 4> weights;
+};
+
+Stencil linearStencil(double place, int pointCount) {
+  if (pointCount < 2) {
+    return {0, 1, {1}};
+  }
+  const int first = std::min(static_cast<int>(place), pointCount - 2);
+  return {first, 2, {1 - (place - first), place - first}};
+}
+
+/// Lagrange's polynomial through the four nearest points.
+Stencil cubicStencil(double place, int pointCount) {
+  if (pointCount < 4) {
+    return linearStencil(place, pointCount);
+  }
+  Stencil stencil{std::clamp(static_cast<int>(place) - 1, 0, pointCount - 4), 4, {1, 1, 1, 1}};
+  for (int p = 0; p < 4; ++p) {
+    for (int q = 0; q < 4; ++q) {
+      if (q != p) {
+        stencil.weights[p] *= (place - stencil.first - q) / (p - q);
+      }
+    }
+  }
+  return stencil;
+}
+
+/// One value per vertex of a layer, or one per vertex of a coarser or finer one: columns.
+Matrix3Xd resample(const Matrix3Xd& points, int fromU, int fromV, int toU, int toV) {
+  Matrix3Xd result = Matrix3Xd::Zero(3, toU * toV);
+  for (int j = 0; j < toV; ++j) {
+    const Stencil v = cubicStencil(matchingPlace(j, toV, fromV), fromV);
+    for (int i = 0; i < toU; ++i) {
+      const Stencil u = cubicStencil(matchingPlace(i, toU, fromU), fromU);
+      for (int q = 0; q < v.count; ++q) {
+        for (int p = 0; p < u.count; ++p) {
+          result.col(j * toU + i) += u.weights[p] * v.weights[q] *
+                                     points.col((v.first + q) * fromU + u.first + p);
+        }
+      }
+    }
+  }
+  return result;
+}
+
+Matrix3Xd resampleLayers(const GridShape& from, const Matrix3Xd& positions, const GridShape& to,
+                         double offsetScale) {
+  const int count = from.layerVertexCount();
+  Matrix3Xd mean = Matrix3Xd::Zero(3, count);
+  for (int k = 0; k < from.layers; ++k) {
+    mean += positions.middleCols(k * count, count) / from.layers;
+  }
+  const auto resampled = [&](const Matrix3Xd& points) {
+    return resample(points, from.verticesU, from.verticesV, to.verticesU, to.verticesV);
+  };
+  const Matrix3Xd newMean = resampled(mean);
+  Matrix3Xd result(3, to.vertexCount());
+  for (int k = 0; k < to.layers; ++k) {
+    result.middleCols(k * to.layerVertexCount(), to.layerVertexCount()) =
+        newMean + offsetScale * resampled(positions.middleCols(k * count, count) - mean);
+  }
+  return result;
+}
+
+/// Sums of a value of lateral struts along their lines, from the line's start to any place.
+class LineSums {
+ public:
+  enum class Direction { u, v };
+
+  LineSums(const GridShape& shape, const std::vector<double>& values, Direction along)
+      : along_(along),
+        struts_((along == Direction::u ? shape.verticesU : shape.verticesV) - 1),
+        lines_(along == Direction::u ? shape.verticesV : shape.verticesU),
+        sums_(static_cast<std::size_t>(struts_ + 1) * lines_ * shape.layers) {
+    for (int k = 0; k < shape.layers; ++k) {
+      for (int line = 0; line < lines_; ++line) {
+        for (int n = 0; n < struts_; ++n) {
+          const int vertex =
+              along == Direction::u ? shape.index(n, line, k) : shape.index(line, n, k);
+          sums_[index(n + 1, line, k)] = sums_[index(n, line, k)] + values[vertex];
+        }
+      }
+    }
+  }
+
+  int struts() const { return struts_; }
+  int lines() const { return lines_; }
+
+  /// Between two places along a line that may lie between lines.
+  double between(double from, double to, double line, int layer) const {
+    const Stencil across = linearStencil(line, lines_);
+    double sum = 0;
+    for (int q = 0; q < across.count; ++q) {
+      const int n = across.first + q;
+      sum += across.weights[q] * (sumTo(to, n, layer) - sumTo(from, n, layer));
+    }
+    return sum;
+  }
+
+ private:
+  std::size_t index(int n, int line, int layer) const {
+    return (static_cast<std::size_t>(layer) * lines_ + line) * (struts_ + 1) + n;
+  }
+  double sumTo(double place, int line, int layer) const {
+    const Stencil along = linearStencil(place, struts_ + 1);
+    double sum = 0;
+    for (int p = 0; p < along.count; ++p) {
+      sum += along.weights[p] * sums_[index(along.first + p, line, layer)];
+    }
+    return sum;
+  }
+
+  Direction along_;
+  int struts_;
+  int lines_;
+  std::vector<double> sums_;
+};
+
+/// The rest lengths (or, as means, the stiffnesses) of a coarse grid's lateral struts.
+std::vector<double> coarsenLateral(const GridShape& fine, const std::vector<double>& values,
+                                   const GridShape& coarse, LineSums::Direction along, bool mean) {
+  const LineSums sums(fine, values, along);
+  const bool alongU = along == LineSums::Direction::u;
+  const int struts = (alongU ? coarse.verticesU : coarse.verticesV) - 1;
+  const int lines = alongU ? coarse.verticesV : coarse.verticesU;
+  const double span = double(sums.struts()) / struts;
+  std::vector<double> result(coarse.vertexCount());
+  for (int k = 0; k < coarse.layers; ++k) {
+    for (int line = 0; line < lines; ++line) {
+      for (int n = 0; n < struts; ++n) {
+        const double sum = sums.between(n * span, (n + 1) * span,
+                                        matchingPlace(line, lines, sums.lines()), k);
+        const int vertex = alongU ? coarse.index(n, line, k) : coarse.index(line, n, k);
+        result[vertex] = mean ? sum / span : sum;
+      }
+    }
+  }
+  return result;
+}
+
+/// Vertical struts are those of the nearest column.
+std::vector<double> coarsenVertical(const GridShape& fine, const std::vector<double>& values,
+                                    const GridShape& coarse) {
+  std::vector<double> result(coarse.vertexCount());
+  const auto nearest = [](int index, int count, int otherCount) {
+    return static_cast<int>(std::lround(matchingPlace(index, count, otherCount)));
+  };
+  for (int k = 0; k < coarse.layers; ++k) {
+    for (int j = 0; j < coarse.verticesV; ++j) {
+      for (int i = 0; i < coarse.verticesU; ++i) {
+        result[coarse.index(i, j, k)] =
+            values[fine.index(nearest(i, coarse.verticesU, fine.verticesU),
+                              nearest(j, coarse.verticesV, fine.verticesV), k)];
+      }
+    }
+  }
+  return result;
+}
+
+double meanOfLayers(const GridShape& shape, const std::vector<double>& values, int column) {
+  double sum = 0;
+  for (int k = 0; k < shape.layers; ++k) {
+    sum += values[k * shape.layerVertexCount() + column];
+  }
+  return sum / shape.layers;
+}
+
+/// Scales how far the layers' rest lengths differ from their mean.
+void spreadLayers(const GridShape& shape, std::vector<double>& rest, double factor) {
+  for (int column = 0; column < shape.layerVertexCount(); ++column) {
+    const double mean = meanOfLayers(shape, rest, column);
+    for (int k = 0; k < shape.layers; ++k) {
+      double& length = rest[k * shape.layerVertexCount() + column];
+      length = mean + factor * (length - mean);
+    }
+  }
+}
+
+/// The largest difference between the rest lengths of two layers, as a share of their mean.
+double largestLayerDifference(const GridShape& shape, const std::vector<double>& rest) {
+  double largest = 0;
+  for (int column = 0; column < shape.layerVertexCount(); ++column) {
+    const double mean = meanOfLayers(shape, rest, column);
+    if (mean == 0) continue;  // No strut.
+    double shortest = mean, longest = mean;
+    for (int k = 0; k < shape.layers; ++k) {
+      const double length = rest[k * shape.layerVertexCount() + column];
+      shortest = std::min(shortest, length);
+      longest = std::max(longest, length);
+    }
+    largest = std::max(largest, (longest - shortest) / mean);
+  }
+  return largest;
+}
+
+StrutGrid coarsened(const StrutGrid& fine, const GridShape& shape) {
+  using enum LineSums::Direction;
+  StrutGrid coarse{shape, 0, {}, StrutValues(shape), StrutValues(shape), fine.angleWeight};
+  coarse.spacing = fine.spacing * std::max(fine.shape.verticesU - 1, fine.shape.verticesV - 1) /
+                   std::max(shape.verticesU - 1, shape.verticesV - 1);
+  coarse.rest.u = coarsenLateral(fine.shape, fine.rest.u, shape, u, false);
+  coarse.rest.v = coarsenLateral(fine.shape, fine.rest.v, shape, v, false);
+  coarse.rest.w = coarsenVertical(fine.shape, fine.rest.w, shape);
+  coarse.stiffness.u = coarsenLateral(fine.shape, fine.stiffness.u, shape, u, true);
+  coarse.stiffness.v = coarsenLateral(fine.shape, fine.stiffness.v, shape, v, true);
+  coarse.stiffness.w = coarsenVertical(fine.shape, fine.stiffness.w, shape);
+  return coarse;
+}
+
+/// The problem of the same target on `shape`; wantedThickness is lowered to what the rest lengths
+/// allow.
+NestedGrid nested(const StrutGrid& finest, const GridShape& shape, double wantedThickness) {
+  NestedGrid coarse{coarsened(finest, shape), wantedThickness};
+  StrutGrid& grid = coarse.grid;
+  const double difference = std::max(largestLayerDifference(shape, grid.rest.u),
+                                     largestLayerDifference(shape, grid.rest.v));
+  if (difference * coarse.thickness > kLargestLayerDifference) {
+    coarse.thickness = std::max(kLargestLayerDifference / difference, 1e-3);
+  }
+  spreadLayers(shape, grid.rest.u, coarse.thickness);
+  spreadLayers(shape, grid.rest.v, coarse.thickness);
+  for (double& length : grid.rest.w) {
+    length *= coarse.thickness;
+  }
+  grid.positions = resampleLayers(finest.shape, finest.positions, shape, coarse.thickness);
+  return coarse;
+}
+
+int halved(int vertices) { return std::max(1, vertices / 2) + 1; }
+
+}  // namespace
+
+std::vector<NestedGrid> nestGrids(const StrutGrid& finest) {
+  std::vector<NestedGrid> grids{{finest, 1}};
+  GridShape shape = finest.shape;
+  double thickness = 1;
+  while (std::max(shape.verticesU, shape.verticesV) - 1 > kCoarsestNodes) {
+    shape = {halved(shape.verticesU), halved(shape.verticesV), shape.layers};
+    thickness *= kThicknessPerLevel;
+    grids.push_back(nested(finest, shape, thickness));
+    thickness = grids.back().thickness;
+  }
+  std::reverse(grids.begin(), grids.end());
+  return grids;
+}
+
+Matrix3Xd prolong(const NestedGrid& coarse, const Matrix3Xd& positions, const NestedGrid& fine) {
+  return resampleLayers(coarse.grid.shape, positions, fine.grid.shape,
+                        fine.thickness / coarse.thickness);
+}
+
+}  // namespace morphgrid

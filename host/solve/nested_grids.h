@@ -1,0 +1,28 @@
+#pragma once
+#include <vector>
+
+#include "grid/strut_grid.h"
+
+namespace morphgrid {
+
+/// A problem of fewer nodes whose equilibrium resembles that of a finer one.
+struct NestedGrid {
+  StrutGrid grid;
+  double thickness;  ///< Distance of its layers over that of the finest grid's.
+};
+
+/// Coarser and coarser problems, the coarsest first, the grid itself last. From one to the next
+/// coarser the nodes halve (rounded up) down to about ten on the longer edge, and the layers move
+/// apart by sqrt(2), as far as the designed shrink allows: a thinner sheet turns further per node than
+/// a coarse grid can follow.
+/// A coarse strut rests at the sum of the struts that it stands for, interpolated between lines;
+/// where layers differ, the difference grows with their distance, which keeps the curvature.
+std::vector<NestedGrid> nestGrids(const StrutGrid& finest);
+
+/// Positions for the finer grid: the mean of all layers and the layers' offsets from it, in cubic
+/// interpolation, the offsets scaled to the finer grid's thickness. positions: 3 x vertexCount of
+/// coarse.grid.
+Eigen::Matrix3Xd prolong(const NestedGrid& coarse, const Eigen::Matrix3Xd& positions,
+                         const NestedGrid& fine);
+
+}  // namespace morphgrid

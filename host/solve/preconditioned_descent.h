@@ -1,0 +1,57 @@
+#pragma once
+#include "solve/coarse_levels.h"
+#include "solve/grid_hessian.h"
+#include "solve/lbfgs_vectors.h"
+
+namespace morphgrid {
+
+/// L-BFGS on one grid, its initial inverse Hessian one V-cycle of multigrid: vectors on the device,
+/// decisions here. Lengths in units of the spacing, energies in stiffness x spacing^2.
+class PreconditionedDescent {
+ public:
+  /// Keeps references. Starts at the device grid's positions.
+  PreconditionedDescent(const Device& device, DeviceGrid& grid, Precision precision);
+
+  /// One V-cycle and a step downhill. False when no step lowers the energy, even with damping: at
+  /// this precision it falls no further.
+  bool iterate();
+
+  double energy() const { return sums_.energy; }
+  double gradientNorm() const;
+  /// By how much the energy would have fallen in the last step, were it quadratic; infinite before
+  /// the first.
+  double predictedDecrease() const { return predictedDecrease_; }
+
+  /// Brings the positions reached to DeviceGrid::positions().
+  void finish();
+
+ private:
+  void linearise();
+  bool descend();
+  /// Along the direction, whose slope is -descent.
+  bool searchLine(double descent);
+  void recordCycle();
+  bool modelFails(double decrease) const;
+
+  const Device& device_;
+  DeviceGrid& grid_;
+  double energyRounding_;
+  LbfgsVectors vectors_;
+  VertexVector residual_;
+  VertexVector smoothed_;
+  GridHessian hessian_;
+  CoarseLevels coarse_;
+  GridHessian::Step firstSmoothing_;
+  GridHessian::Step computeResidual_;
+  GridHessian::Step lastSmoothing_;
+  CommandStream stream_;
+  PairHistory history_;
+  Dots dots_{};
+  GridGradient::Sums sums_{};
+  double predictedDecrease_;
+  double damping_ = 0;
+  int stepsSinceLinearisation_ = 0;
+  bool linearisationIsStale_ = true;
+};
+
+}  // namespace morphgrid

@@ -1,0 +1,20 @@
+// A step downhill: trial positions.
+#version 450
+#extension GL_GOOGLE_include_directive : require
+#include "shared/lbfgs_types.h"
+#include "solve/arm.glsl"
+
+layout(local_size_x = kVectorInvocations) in;
+
+layout(binding = kBindingFrom, rgba32i) readonly uniform iimageBuffer positions;
+layout(binding = kBindingBase, rgba32f) readonly uniform imageBuffer direction;
+layout(std430, binding = kBindingOutput) writeonly buffer Output { ivec4 trial[]; };
+layout(push_constant) uniform Push { StepPush push; };
+
+void main() {
+  uint n = gl_GlobalInvocationID.x;
+  if (n < push.count) {
+    vec3 steps = -push.length / push.resolution * imageLoad(direction, int(n)).xyz;
+    trial[n] = moved(imageLoad(positions, int(n)), steps);
+  }
+}
