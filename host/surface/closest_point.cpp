@@ -1,12 +1,12 @@
 #include "surface/closest_point.h"
 
-#include <embree3/rtcore.h>
-
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <limits>
+
+#include "surface/embree_mesh.h"
 
 namespace morphgrid {
 namespace {
@@ -62,37 +62,15 @@ bool visitTriangle(RTCPointQueryFunctionArguments* arguments) {
 }  // namespace
 
 struct ClosestPointQuery::Scene {
-  RTCDevice device = rtcNewDevice(nullptr);
-  RTCScene scene = rtcNewScene(device);
   Eigen::Matrix3Xd vertices;
   Eigen::Matrix3Xi triangles;
-
-  ~Scene() {
-    rtcReleaseScene(scene);
-    rtcReleaseDevice(device);
-  }
+  EmbreeMesh mesh;
 };
 
 ClosestPointQuery::ClosestPointQuery(const Eigen::Matrix3Xd& vertices,
                                      const Eigen::Matrix3Xi& triangles)
-    : scene_(std::make_unique<Scene>()) {
+    : scene_(new Scene{vertices, triangles, {vertices.cast<float>(), triangles}}) {
   assert(triangles.cols() > 0);
-  scene_->vertices = vertices;
-  scene_->triangles = triangles;
-  RTCGeometry geometry = rtcNewGeometry(scene_->device, RTC_GEOMETRY_TYPE_TRIANGLE);
-  auto* points = static_cast<float*>(
-      rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
-                              3 * sizeof(float), static_cast<std::size_t>(vertices.cols())));
-  Eigen::Map<Eigen::Matrix3Xf>(points, 3, vertices.cols()) = vertices.cast<float>();
-  auto* indices = static_cast<unsigned*>(
-      rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
-                              3 * sizeof(unsigned), static_cast<std::size_t>(triangles.cols())));
-  Eigen::Map<Eigen::Matrix<unsigned, 3, Eigen::Dynamic>>(indices, 3, triangles.cols()) =
-      triangles.cast<unsigned>();
-  rtcCommitGeometry(geometry);
-  rtcAttachGeometry(scene_->scene, geometry);
-  rtcReleaseGeometry(geometry);
-  rtcCommitScene(scene_->scene);
 }
 
 ClosestPointQuery::~ClosestPointQuery() = default;
@@ -109,7 +87,7 @@ double ClosestPointQuery::distance(const Vector3d& point) const {
   query.y = static_cast<float>(point.y());
   query.z = static_cast<float>(point.z());
   query.radius = std::numeric_limits<float>::infinity();
-  rtcPointQuery(scene_->scene, &query, &context, visitTriangle, &search);
+  rtcPointQuery(scene_->mesh.scene(), &query, &context, visitTriangle, &search);
   return std::sqrt(search.squaredDistance);
 }
 

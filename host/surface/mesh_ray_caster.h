@@ -26,9 +26,16 @@ struct RayHits {
   std::vector<char> hit;    ///< 1 where the ray met the mesh.
 
   int index(int i, int j) const { return j * countU + i; }
+  double uStep() const { return box.uLength / (countU - 1); }
+  double vStep() const { return box.vLength / (countV - 1); }
+  /// The place of ray (i, j); the last one is exactly uStart + uLength.
+  double u(int i) const { return box.uStart + box.uLength * (double(i) / (countU - 1)); }
+  double v(int j) const { return box.vStart + box.vLength * (double(j) / (countV - 1)); }
 };
 
-/// Casts rays along +x at a mesh (Embree, packets, watertight).
+/// Casts rays along +x at a mesh (Embree, packets, watertight). A ray beside the mesh's boundary by
+/// no more than a millionth of the mesh's extent counts as on it. Points are computed in double
+/// precision: y and z are the ray's own, x lies in the plane of the triangle hit.
 class MeshRayCaster {
  public:
   explicit MeshRayCaster(const TriangleMesh& mesh);

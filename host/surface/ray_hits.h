@@ -1,6 +1,5 @@
 #pragma once
 #include <optional>
-#include <string>
 #include <vector>
 
 #include "surface/mesh_ray_caster.h"
@@ -17,6 +16,10 @@ struct Hole {
 /// All holes, the largest first.
 std::vector<Hole> findHoles(const RayHits& hits);
 
+/// |dx| / step from ray (i, j) to the next along u or v; 0 where one of the two misses.
+double slopeAlongU(const RayHits& hits, int i, int j);
+double slopeAlongV(const RayHits& hits, int i, int j);
+
 /// The steepest step between neighbouring rays that hit: |dx| over the distance of the rays.
 struct Jump {
   double slope = 0;  ///< 0 where no two neighbours hit.
@@ -31,11 +34,13 @@ Jump findJump(const RayHits& hits, double limit);
 /// Holes at the box's edge stay. Returns the number of rays filled.
 int fillHoles(RayHits& hits, double widest);
 
-/// The largest box in which no ray of the lattice misses and no step is steeper than slopeLimit;
-/// nothing when there is none of at least 4 x 4 rays.
+/// The box of largest area in which no ray of the lattice misses and no step is steeper than
+/// slopeLimit, its edges on rays; nothing when there is none of at least 4 x 4 rays.
 std::optional<SamplingBox> largestBoxWithoutHoles(const RayHits& hits, double slopeLimit);
 
-/// Searches the mesh's extent for such a box, verified with countU x countV rays.
+/// Searches the mesh's extent for such a box that also countU x countV rays of its own find without
+/// a hole or a steeper step; it keeps a little away from what bounds it, so that rounding it and
+/// casting other counts does no harm. countU, countV >= 4; nothing when none is found.
 std::optional<SamplingBox> suggestBox(const MeshRayCaster& caster,
                                       const Eigen::AlignedBox3d& extent, int countU, int countV,
                                       double slopeLimit);

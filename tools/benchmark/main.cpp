@@ -1,9 +1,6 @@
 #include <fmt/format.h>
-#include <time.h>
-
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <functional>
 #include <iostream>
@@ -13,14 +10,14 @@
 #include <vector>
 
 #include "benchmark/avx2_sweep.h"
+#include "benchmark/cost.h"
+#include "benchmark/ray_benchmark.h"
 #include "core/atomic_file.h"
 #include "shared/solver_types.h"
 #include "solve/jacobi_solver.h"
 
 namespace morphgrid {
 namespace {
-
-using Clock = std::chrono::steady_clock;
 
 /// A flat three-layer grid whose struts want to bend it into a saddle.
 StrutGrid saddleGrid(int vertexCount) {
@@ -46,32 +43,6 @@ StrutGrid saddleGrid(int vertexCount) {
     valueAt(grid.stiffness, strut) = vertical ? 40 : 5;
   }
   return grid;
-}
-
-double median(std::vector<double> values) {
-  std::nth_element(values.begin(), values.begin() + values.size() / 2, values.end());
-  return values[values.size() / 2];
-}
-
-/// Wall time, and what all threads of this process together spent: the second hardly depends on
-/// what else runs on the machine.
-struct Cost {
-  double wall;
-  double cpu;
-};
-
-double cpuSeconds() {
-  timespec time{};
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
-  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
-}
-
-template <typename Work>
-Cost costOf(Work work) {
-  const auto start = Clock::now();
-  const double cpuStart = cpuSeconds();
-  work();
-  return {std::chrono::duration<double>(Clock::now() - start).count(), cpuSeconds() - cpuStart};
 }
 
 /// One way to sweep, measured round after round.
@@ -149,10 +120,14 @@ int runBenchmark(int argc, char** argv) {
       ->capture_default_str();
   app.add_option("--device", selection, "index or part of the name of a Vulkan device");
   app.add_option("--json", jsonFile, "also write the figures to this file");
+  addRayBenchmark(app);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : 2;
+  }
+  if (app.got_subcommand("rays")) {
+    return 0;
   }
   if (!Avx2Sweep::isSupported()) {
     std::cerr << "bench: this processor has no AVX2: the peer cannot run\n";

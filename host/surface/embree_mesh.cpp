@@ -1,0 +1,47 @@
+#include "surface/embree_mesh.h"
+
+#include <fmt/format.h>
+
+#include <stdexcept>
+
+namespace morphgrid {
+
+EmbreeMesh::EmbreeMesh(const Eigen::Matrix3Xf& vertices, const Eigen::Matrix3Xi& triangles,
+                       RTCSceneFlags flags)
+    : device_(rtcNewDevice(nullptr), rtcReleaseDevice), scene_(nullptr, rtcReleaseScene) {
+  throwOnError();
+  scene_.reset(rtcNewScene(device_.get()));
+  rtcSetSceneFlags(scene_.get(), flags);
+  const std::unique_ptr<RTCGeometryTy, decltype(&rtcReleaseGeometry)> geometry(
+      rtcNewGeometry(device_.get(), RTC_GEOMETRY_TYPE_TRIANGLE), rtcReleaseGeometry);
+  throwOnError();
+  Eigen::Map<Eigen::Matrix3Xf>(static_cast<float*>(newBuffer(geometry.get(), RTC_BUFFER_TYPE_VERTEX,
+                                                             RTC_FORMAT_FLOAT3, vertices.cols())),
+                               3, vertices.cols()) = vertices;
+  Eigen::Map<Eigen::Matrix3Xi>(static_cast<int*>(newBuffer(geometry.get(), RTC_BUFFER_TYPE_INDEX,
+                                                           RTC_FORMAT_UINT3, triangles.cols())),
+                               3, triangles.cols()) = triangles;
+  rtcCommitGeometry(geometry.get());
+  rtcAttachGeometry(scene_.get(), geometry.get());
+  rtcCommitScene(scene_.get());
+  throwOnError();
+}
+
+void* EmbreeMesh::newBuffer(RTCGeometry geometry, RTCBufferType type, RTCFormat format,
+                            Eigen::Index count) const {
+  void* buffer = rtcSetNewGeometryBuffer(geometry, type, 0, format, 3 * sizeof(float),
+                                         static_cast<std::size_t>(count));
+  throwOnError();
+  return buffer;
+}
+
+void EmbreeMesh::throwOnError() const {
+  const RTCError error = rtcGetDeviceError(device_.get());
+  if (error != RTC_ERROR_NONE) {
+    throw std::runtime_error(fmt::format(
+        "Embree cannot take the mesh: {}",
+        error == RTC_ERROR_OUT_OF_MEMORY ? "out of memory" : fmt::format("error {}", int(error))));
+  }
+}
+
+}  // namespace morphgrid

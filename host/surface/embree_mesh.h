@@ -1,0 +1,28 @@
+#pragma once
+#include <embree3/rtcore.h>
+
+#include <Eigen/Core>
+#include <memory>
+
+namespace morphgrid {
+
+/// A triangle mesh as the only geometry of an Embree scene. Private to this folder.
+class EmbreeMesh {
+ public:
+  /// vertices 3 x n, triangles 3 x m of vertex indices; primitive IDs are the triangles' columns.
+  /// Throws std::runtime_error when Embree runs out of memory.
+  EmbreeMesh(const Eigen::Matrix3Xf& vertices, const Eigen::Matrix3Xi& triangles,
+             RTCSceneFlags flags = RTC_SCENE_FLAG_NONE);
+
+  RTCScene scene() const { return scene_.get(); }
+
+ private:
+  void* newBuffer(RTCGeometry geometry, RTCBufferType type, RTCFormat format,
+                  Eigen::Index count) const;
+  void throwOnError() const;
+
+  std::unique_ptr<RTCDeviceTy, decltype(&rtcReleaseDevice)> device_;
+  std::unique_ptr<RTCSceneTy, decltype(&rtcReleaseScene)> scene_;
+};
+
+}  // namespace morphgrid
