@@ -174,10 +174,10 @@ std::pair<double, double> errorsOnSphere(int count) {
 }
 
 TEST(MeasureMesh, CurvatureOfASphereConvergesAtItsOrder) {
-  const auto [coarseInner, coarseEnds] = errorsOnSphere(41);
-  const auto [fineInner, fineEnds] = errorsOnSphere(81);
-  EXPECT_NEAR(std::log2(coarseInner / fineInner), 2, 0.15);
-  EXPECT_NEAR(std::log2(coarseEnds / fineEnds), 1, 0.15);
+  const auto [coarseInner, coarseEnds] = errorsOnSphere(31);
+  const auto [fineInner, fineEnds] = errorsOnSphere(61);
+  EXPECT_NEAR(std::log2(coarseInner / fineInner), 2, 0.2);
+  EXPECT_NEAR(std::log2(coarseEnds / fineEnds), 1, 0.2);
 }
 
 TEST(MeasureMesh, CapsEachSampleBeforeTheMean) {
@@ -267,6 +267,16 @@ TEST(Smoothing, ANarrowWidthGivesTheMeanOfASegment) {
   EXPECT_LT(distance(measureMesh(hits, kNoLimit, 1e-200).curvatures,
                      measureMesh(hits, kNoLimit, 0).curvatures),
             1e-14);
+}
+
+TEST(Smoothing, AVastWidthSpreadsTheTurnOfAnIsolineOverItsLength) {
+  // Chords grow with the slope, and the mean is over the length: kappa times it is the angle from
+  // slope 0 to slope 2.
+  const RayHits hits = hitsOn([](double y, double) { return y * y / 2; }, {0, 0, 2, 1}, 101, 2);
+  const double length = surveyMesh(hits, 0).survey.longestIsolineU;
+  const SurfaceMeasurement m = measureMesh(hits, kNoLimit, 1e6);
+  EXPECT_NEAR(m.curvatures.u(0, 0) * length, std::atan(2), 1e-4);
+  EXPECT_NEAR(m.curvatures.u(99, 1) * length, std::atan(2), 1e-4);
 }
 
 TEST(Smoothing, ComesBeforeTheCap) {
