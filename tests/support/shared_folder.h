@@ -10,7 +10,8 @@ namespace morphgrid {
 inline std::optional<std::filesystem::path> sharedFolder() {
   const char* const named = std::getenv("MORPHGRID_SHARED");
   const std::filesystem::path folder =
-      named ? std::filesystem::path(named) : std::filesystem::path(MORPHGRID_SOURCE_DIR) / "../shared";
+      named ? std::filesystem::path(named)
+            : std::filesystem::path(MORPHGRID_SOURCE_DIR) / "../shared";
   if (!std::filesystem::exists(folder / "meshes")) return std::nullopt;
   return folder;
 }
