@@ -8,6 +8,7 @@
 
 #include "core/read_file.h"
 #include "tests/fuzz/read_fuzzed_mesh.h"
+#include "tests/support/folders.h"
 #include "tests/support/shared_folder.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/surface/mesh_files.h"
@@ -63,7 +64,7 @@ TEST(LoadMesh, MessagesShowNoControlCharacters) {
 TEST(LoadMesh, ReadsOrRefusesTheSeedsOfTheFuzzer) {
   int count = 0;
   for (const auto& entry :
-       std::filesystem::directory_iterator(MORPHGRID_SOURCE_DIR "/tests/fuzz/seeds")) {
+       std::filesystem::directory_iterator(sourceFolder() / "tests/fuzz/seeds")) {
     SCOPED_TRACE(entry.path());
     EXPECT_NO_THROW(readFuzzedMesh(readFile(entry.path())));
     ++count;
