@@ -149,7 +149,7 @@ double median(std::vector<double> values) {
 }
 
 Eigen::RowVectorXd cappedMeans(const Isoline& line, double limit) {
-  return line.curvatures.cwiseMax(-limit).cwiseMin(limit).colwise().mean();
+  return line.meanCurvatures().cwiseMax(-limit).cwiseMin(limit);
 }
 
 }  // namespace

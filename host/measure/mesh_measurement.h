@@ -30,8 +30,9 @@ struct MeshSurvey {
 MeshSurvey surveyMesh(const RayHits& hits, double smoothingWidth);
 
 /// Second pass: one isoline a line of vertices, hits.countU = nodesU + 1, hits.countV = nodesV + 1.
-/// kappa of a strut is the mean of 100 samples of its segment, each capped to curvatureLimit;
-/// smoothed, it is the segment's smoothed mean, capped.
+/// kappa of a strut is the mean of 100 samples of its segment, smoothed where that is asked for,
+/// then capped to curvatureLimit. Not each sample, as on a patch: the few samples on a crease carry
+/// the bend of the facets beside it.
 SurfaceMeasurement measureMesh(const RayHits& hits, double curvatureLimit, double smoothingWidth);
 
 }  // namespace morphgrid

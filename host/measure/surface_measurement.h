@@ -41,7 +41,7 @@ struct SurfaceMeasurement {
   int nodesU;
   int nodesV;
   LateralField<double> chords;      ///< Straight distance between a strut's end points.
-  LateralField<double> curvatures;  ///< Signed kappa, capped, mean of 100 samples a strut.
+  LateralField<double> curvatures;  ///< Signed kappa, mean of 100 samples a strut, capped.
   Eigen::Matrix3Xd points;  ///< Target of each vertex of the middle layer, index j (nodesU+1) + i.
 };
 

@@ -24,7 +24,9 @@ struct KnownSurface {
   std::function<double(double, double)> curvatureV;
 };
 
-void PrintTo(const KnownSurface& surface, std::ostream* stream) { *stream << surface.name; }
+std::ostream& operator<<(std::ostream& stream, const KnownSurface& surface) {
+  return stream << surface.name;
+}
 
 /// Length of the arc over a chord.
 double arc(double radius, double chord) { return 2 * radius * std::asin(chord / 2 / radius); }

@@ -3,6 +3,8 @@
 #include <filesystem>
 #include <optional>
 
+#include "tests/support/folders.h"
+
 namespace morphgrid {
 
 /// The folder of meshes that cannot be part of the project, when there is one: what the environment
@@ -10,8 +12,7 @@ namespace morphgrid {
 inline std::optional<std::filesystem::path> sharedFolder() {
   const char* const named = std::getenv("MORPHGRID_SHARED");
   const std::filesystem::path folder =
-      named ? std::filesystem::path(named)
-            : std::filesystem::path(MORPHGRID_SOURCE_DIR) / "../shared";
+      named ? std::filesystem::path(named) : sourceFolder() / "../shared";
   if (!std::filesystem::exists(folder / "meshes")) return std::nullopt;
   return folder;
 }

@@ -1,0 +1,41 @@
+#pragma once
+#include <optional>
+#include <string_view>
+
+#include "surface/mesh_source.h"
+
+namespace morphgrid {
+
+/// The whole word as a number; nothing when it is none, or not finite, or beyond a double.
+std::optional<double> parseNumber(std::string_view word);
+
+/// Walks a file's text by words and lines. Lines end in LF, CRLF or CR; words in spaces and tabs.
+class TextReader {
+ public:
+  explicit TextReader(const MeshSource& source) : source_(source) {}
+
+  /// Goes to the beginning of the next line; false at the end of the file.
+  bool nextLine();
+  /// The next word of this line; empty at its end.
+  std::string_view word();
+  /// The next word, on this line or a later one; empty at the end of the file.
+  std::string_view wordOfAnyLine();
+  /// Leaves out what is left of this line.
+  void skipLine() { rest_ = {}; }
+
+  /// The word, just read, as a number. Throws InputError when it is none, calling it `name`.
+  double number(std::string_view word, std::string_view name) const;
+
+  int line() const { return line_; }
+  /// Of what is not read yet.
+  std::size_t offset() const { return rest_.empty() ? next_ : rest_.data() - source_.bytes.data(); }
+  InputError error(std::string_view what) const { return source_.errorAtLine(line_, what); }
+
+ private:
+  const MeshSource& source_;
+  std::string_view rest_;  ///< Of the line.
+  std::size_t next_ = 0;   ///< Offset of the next line.
+  int line_ = 0;
+};
+
+}  // namespace morphgrid

@@ -1,0 +1,320 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "surface/load_mesh.h"
+#include "tests/support/temporary_folder.h"
+#include "tests/surface/mesh_files.h"
+
+namespace morphgrid {
+namespace {
+
+using nlohmann::json;
+using testing::HasSubstr;
+
+const int kFloat = 5126;
+const int kUnsignedShort = 5123;
+
+/// Four corners of a unit square, and the indices of its two triangles.
+std::string squareBytes() {
+  return bytesOf(0.f, 0.f, 0.f, 1.f, 0.f, 0.f, 0.f, 1.f, 0.f, 1.f, 1.f, 0.f) +
+         bytesOf<std::uint16_t, std::uint16_t, std::uint16_t>(0, 1, 2) +
+         bytesOf<std::uint16_t, std::uint16_t, std::uint16_t>(2, 1, 3);
+}
+
+const char* const kDataUri =
+    "data:application/octet-stream;base64,"
+    "AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAAAACAPwAAgD8AAAAAAAABAAIAAgABAAMA";
+
+/// The JSON of the square, shown by one node: accessor 0 holds its corners, 1 its indices.
+json square() {
+  json gltf = json::parse(R"({
+    "asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
+    "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "indices": 1}]}],
+    "accessors": [{"bufferView": 0, "count": 4, "type": "VEC3"},
+                  {"bufferView": 1, "count": 6, "type": "SCALAR"}],
+    "bufferViews": [{"buffer": 0, "byteLength": 48},
+                    {"buffer": 0, "byteOffset": 48, "byteLength": 12}],
+    "buffers": [{"byteLength": 60}]})");
+  gltf["accessors"][0]["componentType"] = kFloat;
+  gltf["accessors"][1]["componentType"] = kUnsignedShort;
+  return gltf;
+}
+
+std::string chunk(const std::string& type, std::string content) {
+  content.resize((content.size() + 3) / 4 * 4, type == "JSON" ? ' ' : '\0');
+  return bytesOf(static_cast<std::uint32_t>(content.size())) + type + content;
+}
+
+std::string glb(const json& gltf, const std::string& bytes = squareBytes()) {
+  std::string chunks = chunk("JSON", gltf.dump());
+  if (!bytes.empty()) chunks += chunk(std::string("BIN\0", 4), bytes);
+  return "glTF" + bytesOf(std::uint32_t{2}, static_cast<std::uint32_t>(12 + chunks.size())) +
+         chunks;
+}
+
+TriangleMesh meshOfGltf(const json& gltf, const std::string& bytes = squareBytes()) {
+  return meshOf("a.glb", glb(gltf, bytes));
+}
+
+std::string problemOfGltf(const json& gltf, const std::string& bytes = squareBytes()) {
+  return problemOf("a.glb", glb(gltf, bytes));
+}
+
+TEST(ReadGltf, ReadsGlb) {
+  const TriangleMesh mesh = meshOfGltf(square());
+  Eigen::Matrix3Xi triangles(3, 2);
+  triangles << 0, 2, 1, 1, 2, 3;
+  EXPECT_EQ(mesh.triangles, triangles);
+  EXPECT_EQ(mesh.vertices.col(3), Eigen::Vector3d(1, 1, 0));
+}
+
+TEST(ReadGltf, ReadsDataUris) {
+  json gltf = square();
+  gltf["buffers"][0]["uri"] = kDataUri;
+  EXPECT_NEAR(areaOf(meshOf("a.gltf", gltf.dump())), 1, 1e-12);
+  gltf["buffers"][0]["uri"] = "data:application/octet-stream;base64,AAAA";
+  EXPECT_THAT(problemOf("a.gltf", gltf.dump()), HasSubstr("a.gltf: Failed to decode 'uri'"));
+}
+
+TEST(ReadGltf, ReadsBuffersBesideTheFile) {
+  const TemporaryFolder folder;
+  json gltf = square();
+  gltf["buffers"][0]["uri"] = "data/a%20b.bin";
+  const auto file = folder.write("a.gltf", gltf.dump());
+  EXPECT_THAT(problemOfFile(file), HasSubstr("a b.bin: cannot be read: No such file or directory"));
+  folder.write("data/a b.bin", squareBytes());
+  EXPECT_NEAR(areaOf(loadMesh(file)), 1, 1e-12);
+  json twice = gltf;
+  twice["buffers"].push_back({{"byteLength", 60}, {"uri", "data/../data/a b.bin"}});
+  EXPECT_THAT(problemOfFile(folder.write("twice.gltf", twice.dump())),
+              HasSubstr("twice.gltf: two buffers are the file \"data/../data/a b.bin\""));
+  folder.write("data/a b.bin", "short");
+  EXPECT_THAT(problemOfFile(file), HasSubstr("a.gltf: File size mismatch"));
+}
+
+TEST(ReadGltf, ReadsListsStripsAndFansWithAndWithoutIndices) {
+  json gltf = square();
+  json& primitive = gltf["meshes"][0]["primitives"][0];
+  primitive.erase("indices");
+  primitive["mode"] = 5;
+  Eigen::Matrix3Xi strip(3, 2);
+  strip << 0, 1, 1, 3, 2, 2;  // The second triangle is turned, so that both face the same way.
+  EXPECT_EQ(meshOfGltf(gltf).triangles, strip);
+  primitive["mode"] = 6;
+  Eigen::Matrix3Xi fan(3, 2);
+  fan << 0, 0, 1, 2, 2, 3;
+  EXPECT_EQ(meshOfGltf(gltf).triangles, fan);
+  primitive["mode"] = 4;
+  EXPECT_EQ(problemOfGltf(gltf),
+            "a.glb: a primitive of triangles has 4 corners: not a multiple of 3");
+  gltf["accessors"][0]["count"] = 3;
+  EXPECT_EQ(meshOfGltf(gltf).triangles, Eigen::Vector3i(0, 1, 2));
+}
+
+TEST(ReadGltf, AppliesTheTransformsOfAllAncestors) {
+  json gltf = square();
+  gltf["nodes"] = json::parse(R"([
+    {"translation": [10, 0, 0], "children": [1]},
+    {"rotation": [0, 0, 0.7071067811865476, 0.7071067811865476], "children": [2]},
+    {"mesh": 0, "scale": [2, 3, 1]}])");
+  const TriangleMesh mesh = meshOfGltf(gltf);
+  EXPECT_LT((mesh.vertices.col(1) - Eigen::Vector3d(10, 2, 0)).norm(), 1e-12);
+  EXPECT_LT((mesh.vertices.col(2) - Eigen::Vector3d(7, 0, 0)).norm(), 1e-12);
+  gltf["nodes"] = json::parse(R"([{"mesh": 0, "matrix": [0,2,0,0, -3,0,0,0, 0,0,1,0, 10,0,0,1]}])");
+  EXPECT_LT((meshOfGltf(gltf).vertices - mesh.vertices).norm(), 1e-12);
+}
+
+TEST(ReadGltf, LeavesSkinnedMeshesWhereTheyWereBound) {
+  json gltf = square();
+  gltf["nodes"] = json::parse(R"([{"mesh": 0, "skin": 0, "translation": [1, 0, 0]}])");
+  EXPECT_EQ(meshOfGltf(gltf).vertices.col(0), Eigen::Vector3d(0, 0, 0));
+}
+
+TEST(ReadGltf, JoinsPrimitivesMeshesAndNodes) {
+  json gltf = square();
+  json& primitives = gltf["meshes"][0]["primitives"];
+  primitives.push_back(primitives[0]);
+  primitives.push_back({{"attributes", {{"POSITION", 0}}}, {"mode", 1}});  // Lines are none of it.
+  gltf["meshes"].push_back(gltf["meshes"][0]);
+  gltf["nodes"] =
+      json::parse(R"([{"mesh": 0}, {"mesh": 1, "translation": [0, 0, 5]}, {"mesh": 1}])");
+  gltf["scenes"][0]["nodes"] = {0, 1};
+  const TriangleMesh mesh = meshOfGltf(gltf);
+  EXPECT_EQ(mesh.triangles.cols(), 8);
+  EXPECT_EQ(mesh.vertices.cols(), 8);  // A mesh's primitives share theirs.
+  EXPECT_EQ(boundingBox(mesh).max().z(), 5);
+  gltf.erase("scenes");
+  gltf.erase("scene");
+  EXPECT_EQ(meshOfGltf(gltf).triangles.cols(), 12);
+}
+
+TEST(ReadGltf, ReadsQuantizedAndInterleavedPositions) {
+  json gltf = square();
+  gltf["meshes"][0]["primitives"][0].erase("indices");
+  gltf["bufferViews"] = json::parse(R"([{"buffer": 0, "byteLength": 24, "byteStride": 8}])");
+  gltf["buffers"][0]["byteLength"] = 24;
+  gltf["accessors"] = json::parse(R"([{"bufferView": 0, "count": 3, "type": "VEC3"}])");
+  gltf["accessors"][0]["componentType"] = 5122;  // Short.
+  using I = std::int16_t;
+  const std::string bytes = bytesOf<I, I, I, I>(0, 0, 0, 7) + bytesOf<I, I, I, I>(32767, 0, 0, 7) +
+                            bytesOf<I, I, I, I>(0, -32768, 0, 7);
+  EXPECT_EQ(meshOfGltf(gltf, bytes).vertices.col(2), Eigen::Vector3d(0, -32768, 0));
+  gltf["accessors"][0]["normalized"] = true;
+  EXPECT_EQ(meshOfGltf(gltf, bytes).vertices.col(1), Eigen::Vector3d(1, 0, 0));
+  EXPECT_EQ(meshOfGltf(gltf, bytes).vertices.col(2), Eigen::Vector3d(0, -1, 0));
+}
+
+TEST(ReadGltf, NeedsNoImages) {
+  json gltf = square();
+  gltf["images"] = json::parse(
+      R"([{"uri": "none.png"}, {"uri": "data:image/webp;base64,AAAA"}, {"bufferView": 99}, 3])");
+  gltf["materials"] = json::parse(R"([{"pbrMetallicRoughness": 7}])");
+  gltf["animations"] = "broken";
+  EXPECT_EQ(meshOfGltf(gltf).triangles.cols(), 2);
+}
+
+TEST(ReadGltf, RefusesWhatIsOutOfRange) {
+  struct Case {
+    const char* place;
+    json value;
+    const char* message;
+  };
+  const Case cases[] = {
+      {"/scene", 1, "a.glb: scene 1 does not exist, there are 1 (counted from 0)"},
+      {"/scenes/0/nodes/0", 7, "a.glb: node 7 does not exist, there are 1 (counted from 0)"},
+      {"/nodes/0/mesh", 2, "a.glb: mesh 2 does not exist, there are 1 (counted from 0)"},
+      {"/nodes/0/scale", {1, 2}, "a.glb: a node's transform needs 3 numbers, got 2"},
+      {"/meshes/0/primitives/0/attributes/POSITION", 2,
+       "a.glb: accessor 2 does not exist, there are 2 (counted from 0)"},
+      {"/meshes/0/primitives/0/attributes/POSITION", 1,
+       "a.glb: accessor 1: positions must be VEC3 of floats, bytes or shorts"},
+      {"/meshes/0/primitives/0/indices", 0,
+       "a.glb: accessor 0: indices must be SCALAR, unsigned bytes, shorts or ints"},
+      {"/meshes/0/primitives/0/mode", 7, "a.glb: mesh 0: a mode must be 0 to 6, got 7"},
+      {"/accessors/0/count", 5,
+       "a.glb: accessor 0: 5 elements, its buffer view holds 4 from byte 0 on"},
+      {"/accessors/0/count", 0x8000'0000'0000'0000u,
+       "a.glb: accessor 0: 9223372036854775808 elements, its buffer view holds 4 from byte 0 on"},
+      {"/accessors/0/byteOffset", 8,
+       "a.glb: accessor 0: 4 elements, its buffer view holds 3 from byte 8 on"},
+      {"/accessors/0/byteOffset", 0xffff'ffff'ffff'fff0u,
+       "a.glb: accessor 0: 4 elements, its buffer view holds 0 from byte 18446744073709551600 on"},
+      {"/accessors/0/sparse",
+       json::parse(R"({"count": 1, "indices": {"bufferView": 1, "componentType": 5123},
+                                             "values": {"bufferView": 0}})"),
+       "a.glb: accessor 0: sparse ones and ones without a buffer view cannot be read"},
+      {"/accessors/0/bufferView", 5,
+       "a.glb: buffer view 5 does not exist, there are 2 (counted from 0)"},
+      {"/bufferViews/0/byteLength", 61,
+       "a.glb: buffer view 0: 61 bytes from byte 0 on, the buffer has 60"},
+      {"/bufferViews/0/byteOffset", 0xffff'ffff'ffff'fff0u,
+       "a.glb: buffer view 0: 48 bytes from byte 18446744073709551600 on, the buffer has 60"},
+      {"/bufferViews/0/buffer", 1, "a.glb: buffer 1 does not exist, there are 1 (counted from 0)"},
+      {"/extensionsRequired",
+       {"KHR_draco_mesh_compression"},
+       "a.glb: needs the extension KHR_draco_mesh_compression, which cannot be read"},
+  };
+  for (const Case& bad : cases) {
+    json gltf = square();
+    gltf[json::json_pointer(bad.place)] = bad.value;
+    EXPECT_EQ(problemOfGltf(gltf), bad.message) << bad.place;
+  }
+}
+
+TEST(ReadGltf, RefusesBadValues) {
+  std::string bytes = squareBytes();
+  bytes.replace(58, 2, bytesOf(std::uint16_t{4}));
+  EXPECT_EQ(problemOfGltf(square(), bytes),
+            "a.glb: accessor 1: element 5: vertex 4 does not exist, there are 0 to 3");
+  bytes = squareBytes().replace(16, 4, bytesOf(std::numeric_limits<float>::quiet_NaN()));
+  EXPECT_EQ(problemOfGltf(square(), bytes),
+            "a.glb: accessor 0: element 1: coordinates must be finite, got nan");
+  json gltf = square();
+  gltf["nodes"][0]["scale"] = {1e308, 1e308, 1e308};
+  gltf["nodes"][0]["translation"] = {1.7e308, 0, 0};
+  EXPECT_EQ(problemOfGltf(gltf), "a.glb: vertex 1: coordinates must be finite, got inf, 0, 0");
+}
+
+TEST(ReadGltf, RefusesNodesInACircle) {
+  json gltf = square();
+  gltf["nodes"] = json::parse(R"([{"children": [1]}, {"children": [0]}])");
+  EXPECT_EQ(problemOfGltf(gltf), "a.glb: node 0 has two parents");
+}
+
+TEST(ReadGltf, RefusesToRepeatMeshesWithoutEnd) {
+  json gltf = square();
+  for (int i = 0; i < 20; ++i) {  // Each repeats the square once more.
+    gltf["nodes"].push_back({{"mesh", 0}});
+    gltf["scenes"][0]["nodes"].push_back(i + 1);
+  }
+  EXPECT_EQ(meshOfGltf(gltf).triangles.cols(), 42);
+  json& primitives = gltf["meshes"][0]["primitives"];
+  for (int i = 0; i < 600; ++i) primitives.push_back(primitives[0]);
+  EXPECT_EQ(meshOfGltf(gltf).triangles.cols(), 42 * 601);
+  for (int i = 0; i < 3000; ++i) {
+    gltf["nodes"].push_back({{"mesh", 0}});
+    gltf["scenes"][0]["nodes"].push_back(i + 21);
+  }
+  EXPECT_EQ(problemOfGltf(gltf),
+            "a.glb: its nodes repeat its meshes more often than can be held in memory");
+}
+
+TEST(ReadGltf, ReadsABufferOnce) {
+  json gltf = square();
+  gltf["buffers"].push_back(gltf["buffers"][0]);
+  EXPECT_THAT(problemOfGltf(gltf), HasSubstr("a.glb: 'uri' is missing"));
+  gltf["buffers"][0]["uri"] = "binary chunk";
+  gltf["buffers"][1]["uri"] = "binary chunk";
+  EXPECT_EQ(problemOfGltf(gltf), "a.glb: two buffers are the file \"binary chunk\"");
+}
+
+TEST(ReadGltf, RefusesBrokenJson) {
+  EXPECT_EQ(problemOf("a.gltf", "[]"), "a.gltf: the JSON must be an object");
+  EXPECT_THAT(problemOf("a.gltf", "{\"asset\": }"),
+              HasSubstr("a.gltf: parse error at line 1, column 11"));
+  EXPECT_THAT(problemOf("a.gltf", "{}"), HasSubstr("asset"));
+  EXPECT_EQ(problemOf("a.gltf", R"({"asset": {"version": "2.0"}})"), "a.gltf: holds no triangle");
+}
+
+TEST(ReadGltf, PassesOverDeepNesting) {
+  const std::string deep = std::string(100'000, '[') + std::string(100'000, ']');
+  for (const char* const place : {"/extras", "/nodes/0/extras", "/nodes/0/extensions"}) {
+    json gltf = square();
+    gltf[json::json_pointer(place)] = "HERE";
+    gltf["buffers"][0]["uri"] = kDataUri;
+    std::string text = gltf.dump();
+    text.replace(text.find("\"HERE\""), 6, deep);
+    EXPECT_EQ(meshOf("a.gltf", text).triangles.cols(), 2) << place;
+  }
+  EXPECT_THAT(problemOf("a.gltf", "{\"asset\": " + deep + "}"), HasSubstr("a.gltf: "));
+}
+
+TEST(ReadGltf, EveryTruncationOfAGlbIsAnError) {
+  const std::string file = glb(square());
+  for (std::size_t size = 0; size < file.size(); ++size) {
+    const std::string problem = problemOf("a.glb", file.substr(0, size));
+    EXPECT_THAT(problem, HasSubstr("a.glb: ")) << size;
+    if (size < 12) continue;
+    std::string shortened = file.substr(0, size);  // With a length that is right again.
+    shortened.replace(8, 4, bytesOf(static_cast<std::uint32_t>(size)));
+    EXPECT_THAT(problemOf("a.glb", shortened), HasSubstr("a.glb: ")) << size;
+  }
+}
+
+TEST(ReadGltf, NamesTheByteWhereAGlbBreaks) {
+  std::string file = glb(square());
+  EXPECT_EQ(problemOf("a.glb", std::string(file).replace(4, 4, bytesOf(1))),
+            "a.glb: byte 4: only version 2 of GLB can be read");
+  EXPECT_EQ(problemOf("a.glb", std::string(file).replace(12, 4, bytesOf(0x7fffffff))),
+            "a.glb: byte 12: a chunk of 2147483647 bytes, the file has " +
+                std::to_string(file.size() - 20) + " more");
+  EXPECT_EQ(problemOf("a.glb", std::string(file).replace(16, 4, "NOSJ")),
+            "a.glb: byte 16: a chunk of type \"JSON\" expected");
+}
+
+}  // namespace
+}  // namespace morphgrid
