@@ -1,13 +1,9 @@
 #include "solve/column_walk.h"
 
 namespace morphgrid {
-namespace {
-
 std::uint32_t groupsFor(int count, std::uint32_t groupSize) {
   return (static_cast<std::uint32_t>(count) + groupSize - 1) / groupSize;
 }
-
-}  // namespace
 
 ColumnWalk::ColumnWalk(const Device& device, const DeviceGrid& grid, std::uint32_t blockV)
     : grid_(grid),

@@ -30,6 +30,9 @@ class ColumnWalk {
   std::uint32_t groupsV_;
 };
 
+/// Workgroups of groupSize invocations that cover `count`.
+std::uint32_t groupsFor(int count, std::uint32_t groupSize);
+
 /// Four 32-bit components a texel, to be read by imageLoad.
 TexelView integerTexels(const Device& device, const Buffer& buffer);
 TexelView floatTexels(const Device& device, const Buffer& buffer);

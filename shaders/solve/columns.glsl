@@ -104,7 +104,7 @@ void turnBoth(bool counted, Edge a, Edge b, inout Turn turnOfA, inout Turn turnO
   turnOfA.others += corner.other * vec3(b.arm);
   turnOfB.others += corner.other * vec3(a.arm);
   if (kMeasure) {
-    energy += counted ? GRID.angleWeight * corner.energy : 0.0;
+    energy += counted ? Sum(GRID.angleWeight * corner.energy) : Sum(0);
   }
 }
 
@@ -165,7 +165,7 @@ void turnAround() {
 Pull strutPull(bool counted, Edge e, int rest, float stiffness) {
   Pull pull = pullOf(e, rest, stiffness);
   if (kMeasure) {
-    energy += counted ? pull.energy : 0.0;
+    energy += counted ? Sum(pull.energy) : Sum(0);
   }
   return pull;
 }
@@ -254,10 +254,7 @@ void walkColumns() {
     mayHaveDown = kLayers == 0 || layer > 0;
     int startAbove = isTop ? start : start + layerLength;
     FOR_RING(v, u) {
-      above[v][u] = here[v][u];
-      if (mayHaveUp) {
-        above[v][u] = vertexAt(startAbove + ringIndex[v][u]);
-      }
+      above[v][u] = mayHaveUp ? vertexAt(startAbove + ringIndex[v][u]) : here[v][u];
     }
     layEdges();
     turnWithin();

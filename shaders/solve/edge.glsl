@@ -34,3 +34,14 @@ float relativeStretch(Edge e, int rest, float restResolution) {
   return 1.0 - float(rest) * restResolution * inverseLength;
 #endif
 }
+
+// (|e| - L)^2
+Squared squaredExcess(Edge e, int rest, float restResolution) {
+#ifdef PRECISE
+  double excess = sqrt(e.square) - double(rest) * double(restResolution);
+  return excess * excess;
+#else
+  float stretch = relativeStretch(e, rest, restResolution);
+  return stretch * stretch * e.square;
+#endif
+}

@@ -9,11 +9,11 @@
 
 struct Pull {
   float perEdge;
-  float energy;
+  Squared energy;
 };
 
 const Edge kNoEdge = Edge(Arm(0), Squared(0), 0.0);
-const Pull kNoPull = Pull(0.0, 0.0);
+const Pull kNoPull = Pull(0.0, Squared(0));
 
 #include "solve/columns.glsl"
 
@@ -26,7 +26,8 @@ Corner cornerOf(Edge a, Edge b) { return projectCorner(a, b); }
 // The gradient per edge: 2 w c (1 - L / |e|).
 Pull pullOf(Edge e, int rest, float stiffness) {
   float stretch = relativeStretch(e, rest, GRID.restResolution);
-  return Pull(2.0 * stiffness * stretch, stiffness * stretch * stretch * float(e.square));
+  return Pull(2.0 * stiffness * stretch,
+              stiffness * squaredExcess(e, rest, GRID.restResolution));
 }
 
 vec3 edgeGradient(Edge e, Pull pull, Turn turn) {
