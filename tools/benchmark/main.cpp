@@ -1,9 +1,7 @@
 #include <fmt/format.h>
-#include <time.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <functional>
 #include <iostream>
@@ -13,14 +11,14 @@
 #include <vector>
 
 #include "benchmark/avx2_sweep.h"
+#include "benchmark/cost.h"
+#include "benchmark/kernel_costs.h"
 #include "core/atomic_file.h"
 #include "shared/solver_types.h"
 #include "solve/jacobi_solver.h"
 
 namespace morphgrid {
 namespace {
-
-using Clock = std::chrono::steady_clock;
 
 /// A flat three-layer grid whose struts want to bend it into a saddle.
 StrutGrid saddleGrid(int vertexCount) {
@@ -46,32 +44,6 @@ StrutGrid saddleGrid(int vertexCount) {
     valueAt(grid.stiffness, strut) = vertical ? 40 : 5;
   }
   return grid;
-}
-
-double median(std::vector<double> values) {
-  std::nth_element(values.begin(), values.begin() + values.size() / 2, values.end());
-  return values[values.size() / 2];
-}
-
-/// Wall time, and what all threads of this process together spent: the second hardly depends on
-/// what else runs on the machine.
-struct Cost {
-  double wall;
-  double cpu;
-};
-
-double cpuSeconds() {
-  timespec time{};
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
-  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
-}
-
-template <typename Work>
-Cost costOf(Work work) {
-  const auto start = Clock::now();
-  const double cpuStart = cpuSeconds();
-  work();
-  return {std::chrono::duration<double>(Clock::now() - start).count(), cpuSeconds() - cpuStart};
 }
 
 /// One way to sweep, measured round after round.
@@ -108,7 +80,8 @@ nlohmann::json compareSweeps(const Device& device, int vertexCount, int rounds) 
     competitors.push_back({"device_precise", [&](int count) { solver.sweep(count, true); }});
   }
   measure(competitors, grid.shape.vertexCount(), rounds);
-  nlohmann::json result{{"vertices", grid.shape.vertexCount()}};
+  nlohmann::json result{{"vertices", grid.shape.vertexCount()},
+                        {"kernels", measureKernels(device, grid, rounds)}};
   for (const Competitor& competitor : competitors) {
     const double wall = median(competitor.wall);
     const double cpu = median(competitor.cpu);
@@ -132,6 +105,7 @@ void printResult(const nlohmann::json& result) {
                result["vertices"].get<int>(), title, figure("wall_ns_per_vertex"),
                figure("wall_ratio"), figure("cpu_ns_per_vertex"), figure("cpu_ratio"));
   }
+  printKernels(result["kernels"]);
 }
 
 int runBenchmark(int argc, char** argv) {
@@ -159,8 +133,10 @@ int runBenchmark(int argc, char** argv) {
     return 4;
   }
   const Device device({.selection = selection, .validation = false});
-  fmt::print("device: {}\nnanoseconds per vertex of one sweep, medians of {} rounds\n",
-             device.name(), rounds);
+  fmt::print(
+      "device: {}\nnanoseconds per vertex of one sweep, and of multigrid's kernels on the finest "
+      "level; medians of {} rounds\n",
+      device.name(), rounds);
   fmt::print("{:>8}  {:<16} {:>9} {:>6} {:>10} {:>6}\n", "vertices", "", "wall time", "ratio",
              "CPU time", "ratio");
   nlohmann::json results = nlohmann::json::array();
