@@ -10,9 +10,6 @@
 namespace morphgrid {
 namespace {
 
-/// Weighted Jacobi that damps the eigenvalues of D^-1 H from an eighth of the largest one on.
-constexpr double kSmoothingWeight = 2 / (GridHessian::kSpectralRadiusBound * (1 + 1.0 / 8));
-
 Buffer positionsBuffer(const Device& device, const DeviceGrid& grid) {
   return {device, grid.positions().bytes(),
           vk::BufferUsageFlagBits::eStorageTexelBuffer | vk::BufferUsageFlagBits::eTransferSrc |
@@ -80,7 +77,7 @@ GridHessian::Step GridHessian::firstSmoothing(const VertexVector& b, const Verte
 }
 
 HessianPush GridHessian::push() const {
-  return {walk_.push(), static_cast<float>(damping_), static_cast<float>(kSmoothingWeight)};
+  return {walk_.push(), static_cast<float>(damping_), static_cast<float>(smoothingWeight_)};
 }
 
 void GridHessian::recordLinearisation(CommandStream& stream, const Buffer& positions) const {
