@@ -7,11 +7,22 @@
 struct Corner {
   float own;
   float other;
-  float energy;  // per w
+  Squared energy;  // per w
 };
 
 // Against 1 / 0 where edges are collinear or missing; far below the rounding of t^2 elsewhere.
 const float kCollinear = 1e-14;
+
+#ifdef PRECISE
+// To more digits than r has: a step of Newton's method doubles their number.
+double cornerEnergy(Edge a, Edge b, float r) {
+  double s = dot(a.arm, b.arm);
+  double t = 0.5 * (a.square + b.square);
+  double square = (t - s) * (t + s) + kCollinear;
+  double root = r * (1.5 - 0.5 * square * r * r);
+  return s * s * root / (1.0 + t * root);
+}
+#endif
 
 Corner projectCorner(Edge a, Edge b) {
   float s = float(dot(a.arm, b.arm));
@@ -20,8 +31,8 @@ Corner projectCorner(Edge a, Edge b) {
   float other = s * r;
 #ifdef PRECISE
   float own = -other * other / (1.0 + t * r);  // 1 - t r without its cancellation
+  return Corner(own, other, cornerEnergy(a, b, r));
 #else
-  float own = 1.0 - t * r;
+  return Corner(1.0 - t * r, other, s * other / (1.0 + t * r));
 #endif
-  return Corner(own, other, s * other / (1.0 + t * r));
 }

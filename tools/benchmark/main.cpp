@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
@@ -11,6 +12,7 @@
 
 #include "benchmark/avx2_sweep.h"
 #include "benchmark/cost.h"
+#include "benchmark/kernel_costs.h"
 #include "benchmark/ray_benchmark.h"
 #include "core/atomic_file.h"
 #include "shared/solver_types.h"
@@ -79,7 +81,8 @@ nlohmann::json compareSweeps(const Device& device, int vertexCount, int rounds) 
     competitors.push_back({"device_precise", [&](int count) { solver.sweep(count, true); }});
   }
   measure(competitors, grid.shape.vertexCount(), rounds);
-  nlohmann::json result{{"vertices", grid.shape.vertexCount()}};
+  nlohmann::json result{{"vertices", grid.shape.vertexCount()},
+                        {"kernels", measureKernels(device, grid, rounds)}};
   for (const Competitor& competitor : competitors) {
     const double wall = median(competitor.wall);
     const double cpu = median(competitor.cpu);
@@ -103,6 +106,7 @@ void printResult(const nlohmann::json& result) {
                result["vertices"].get<int>(), title, figure("wall_ns_per_vertex"),
                figure("wall_ratio"), figure("cpu_ns_per_vertex"), figure("cpu_ratio"));
   }
+  printKernels(result["kernels"]);
 }
 
 int runBenchmark(int argc, char** argv) {
@@ -134,8 +138,10 @@ int runBenchmark(int argc, char** argv) {
     return 4;
   }
   const Device device({.selection = selection, .validation = false});
-  fmt::print("device: {}\nnanoseconds per vertex of one sweep, medians of {} rounds\n",
-             device.name(), rounds);
+  fmt::print(
+      "device: {}\nnanoseconds per vertex of one sweep, and of multigrid's kernels on the finest "
+      "level; medians of {} rounds\n",
+      device.name(), rounds);
   fmt::print("{:>8}  {:<16} {:>9} {:>6} {:>10} {:>6}\n", "vertices", "", "wall time", "ratio",
              "CPU time", "ratio");
   nlohmann::json results = nlohmann::json::array();

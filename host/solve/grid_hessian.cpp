@@ -1,0 +1,99 @@
+#include "solve/grid_hessian.h"
+
+#include "shared/hessian_types.h"
+#include "solve/hessian_blocks_comp.h"
+#include "solve/hessian_first_smoothing_comp.h"
+#include "solve/hessian_product_comp.h"
+#include "solve/hessian_residual_comp.h"
+#include "solve/hessian_smoothing_comp.h"
+
+namespace morphgrid {
+namespace {
+
+Buffer positionsBuffer(const Device& device, const DeviceGrid& grid) {
+  return {device, grid.positions().bytes(),
+          vk::BufferUsageFlagBits::eStorageTexelBuffer | vk::BufferUsageFlagBits::eTransferSrc |
+              vk::BufferUsageFlagBits::eTransferDst,
+          MemoryKind::device};
+}
+
+}  // namespace
+
+GridHessian::GridHessian(const Device& device, const DeviceGrid& grid)
+    : device_(device),
+      shape_(grid.shape()),
+      walk_(device, grid, kSweepBlockV),
+      texels_(device, grid),
+      positions_(positionsBuffer(device, grid)),
+      positionsView_(integerTexels(device, positions_)),
+      inverseDiagonal_(device, shape_.vertexCount()),
+      inverseOffDiagonal_(device, shape_.vertexCount()),
+      products_(device, hessian_product_comp_spirv, sizeof(HessianPush), walk_.constants()),
+      residuals_(device, hessian_residual_comp_spirv, sizeof(HessianPush), walk_.constants()),
+      smoothings_(device, hessian_smoothing_comp_spirv, sizeof(HessianPush), walk_.constants()),
+      firstSmoothings_(device, hessian_first_smoothing_comp_spirv, sizeof(HessianPush), {}),
+      blocks_(device, hessian_blocks_comp_spirv,
+              {{kBindingPositions, &positionsView_},
+               {kBindingRest, &texels_.rest},
+               {kBindingStiffness, &texels_.stiffness},
+               {kBindingInverseDiagonal, &inverseDiagonal_.buffer()},
+               {kBindingInverseOffDiagonal, &inverseOffDiagonal_.buffer()}},
+              sizeof(HessianPush), {device.subgroupSize()}) {}
+
+GridHessian::Step GridHessian::columnStep(KernelFamily& kernels, const VertexVector& z,
+                                          const VertexVector& result,
+                                          std::vector<KernelResource> others) {
+  others.insert(others.end(), {{kBindingPositions, &positionsView_},
+                               {kBindingRest, &texels_.rest},
+                               {kBindingStiffness, &texels_.stiffness},
+                               {kBindingVector, &z.texels()},
+                               {kBindingResult, &result.buffer()}});
+  return {kernels.bind(others), Step::Dispatch::columns};
+}
+
+GridHessian::Step GridHessian::product(const VertexVector& z, const VertexVector& y) {
+  return columnStep(products_, z, y, {});
+}
+
+GridHessian::Step GridHessian::residual(const VertexVector& z, const VertexVector& b,
+                                        const VertexVector& r) {
+  return columnStep(residuals_, z, r, {{kBindingRightSide, &b.texels()}});
+}
+
+GridHessian::Step GridHessian::smoothing(const VertexVector& z, const VertexVector& b,
+                                         const VertexVector& next) {
+  return columnStep(smoothings_, z, next,
+                    {{kBindingRightSide, &b.texels()},
+                     {kBindingInverseDiagonal, &inverseDiagonal_.texels()},
+                     {kBindingInverseOffDiagonal, &inverseOffDiagonal_.texels()}});
+}
+
+GridHessian::Step GridHessian::firstSmoothing(const VertexVector& b, const VertexVector& z) {
+  return {firstSmoothings_.bind({{kBindingRightSide, &b.texels()},
+                                 {kBindingResult, &z.buffer()},
+                                 {kBindingInverseDiagonal, &inverseDiagonal_.texels()},
+                                 {kBindingInverseOffDiagonal, &inverseOffDiagonal_.texels()}}),
+          Step::Dispatch::vertices};
+}
+
+HessianPush GridHessian::push() const {
+  return {walk_.push(), static_cast<float>(damping_), static_cast<float>(smoothingWeight_)};
+}
+
+void GridHessian::recordLinearisation(CommandStream& stream, const Buffer& positions) const {
+  stream.copy(positions, positions_, positions_.bytes());
+  stream.dispatch(blocks_, push(), groupsFor(shape_.verticesU, device_.subgroupSize()),
+                  static_cast<std::uint32_t>(shape_.verticesV),
+                  static_cast<std::uint32_t>(shape_.layers));
+}
+
+void GridHessian::record(CommandStream& stream, const Step& step) const {
+  if (step.dispatch_ == Step::Dispatch::columns) {
+    stream.dispatch(step.kernel_, push(), walk_.groupsU(), walk_.groupsV());
+  } else {
+    stream.dispatch(step.kernel_, push(), groupsFor(shape_.layerVertexCount(), kVertexInvocations),
+                    static_cast<std::uint32_t>(shape_.layers));
+  }
+}
+
+}  // namespace morphgrid

@@ -1,0 +1,124 @@
+// D^-1: the inverses of the Hessian's 3 x 3 blocks on the diagonal, gathered vertex by vertex. Runs once
+// in several cycles, so it may project a corner once for each of its vertices.
+#version 450
+#extension GL_GOOGLE_include_directive : require
+#extension GL_EXT_control_flow_attributes : require
+#include "shared/hessian_types.h"
+#include "solve/arm.glsl"
+#include "solve/corner_derivative.glsl"
+
+layout(local_size_x_id = 0) in;
+
+layout(binding = kBindingPositions, rgba32i) readonly uniform iimageBuffer positions;
+layout(binding = kBindingRest, rgba32i) readonly uniform iimageBuffer restLengths;
+layout(binding = kBindingStiffness, rgba32f) readonly uniform imageBuffer stiffnesses;
+layout(std430, binding = kBindingInverseDiagonal) writeonly buffer Diagonal { vec4 diagonals[]; };
+layout(std430, binding = kBindingInverseOffDiagonal) writeonly buffer OffDiagonal {
+  vec4 offDiagonals[];
+};
+layout(push_constant) uniform Push { HessianPush push; };
+
+// A pivot below this share of its diagonal counts as absent: its row and column of the inverse are zero.
+// In the plane nothing holds z.
+const float kLeastPivot = 1e-6;
+
+struct Symmetric {
+  vec3 diagonal;
+  vec3 off;  // yz, xz, xy
+};
+
+ivec3 vertex;
+ivec3 size;
+Symmetric block = Symmetric(vec3(0), vec3(0));
+
+int indexOf(ivec3 v) { return (v.z * size.y + v.y) * size.x + v.x; }
+
+bool inside(ivec3 v) { return all(greaterThanEqual(v, ivec3(0))) && all(lessThan(v, size)); }
+
+ivec4 positionAt(ivec3 v) {
+  return imageLoad(positions, indexOf(clamp(v, ivec3(0), size - 1)));
+}
+
+vec3 armBetween(ivec3 from, ivec3 to) {
+  return armBetween(positionAt(from), positionAt(to), push.grid.resolution);
+}
+
+void addOuter(float weight, vec3 j) {
+  block.diagonal += weight * j * j;
+  block.off += weight * j.yxx * j.zzy;
+}
+
+ivec3 unit(int axis) { return ivec3(equal(ivec3(axis), ivec3(0, 1, 2))); }
+
+// The strut that leaves `from` along `axis` on its way to `to`; one of them is the vertex.
+void addStrut(ivec3 from, ivec3 to, int axis) {
+  if (!inside(from) || !inside(to)) {
+    return;
+  }
+  vec3 arm = armBetween(from, to);
+  float rest = float(imageLoad(restLengths, indexOf(from))[axis]) * push.grid.restResolution;
+  float stiffness = imageLoad(stiffnesses, indexOf(from))[axis];
+  float square = dot(arm, arm) + 1e-20;
+  float stretch = max(0.0, 1.0 - rest * inversesqrt(square));
+  addOuter(2.0 * stiffness * (1.0 - stretch) / square, arm);
+  block.diagonal += 2.0 * stiffness * stretch + push.damping;
+}
+
+void addCorner(ivec3 apex, ivec3 armEnd, ivec3 otherEnd) {
+  if (!inside(apex) || !inside(armEnd) || !inside(otherEnd)) {
+    return;
+  }
+  vec3 a = armBetween(apex, armEnd);
+  vec3 b = armBetween(apex, otherEnd);
+  CornerDerivative d =
+      differentiateCorner(a, b, 0.5 * dot(a, a) + 1e-10, 0.5 * dot(b, b) + 1e-10);
+  vec3 derivative = vertex == apex ? (d.h - d.s) * (a + b) : d.h * b - d.s * a;
+  addOuter(push.grid.angleWeight / (d.doubleSquare * d.h), derivative);
+}
+
+// The corners whose apex is the vertex, and those at its neighbours with it as an end.
+void addCorners(int axisA, int axisB) {
+  for (int signs = 0; signs < 4; ++signs) {
+    ivec3 a = unit(axisA) * (1 - 2 * (signs & 1));
+    ivec3 b = unit(axisB) * (1 - (signs & 2));
+    addCorner(vertex, vertex + a, vertex + b);
+    addCorner(vertex - a, vertex, vertex - a + b);
+    addCorner(vertex - b, vertex, vertex - b + a);
+  }
+}
+
+// Row by row: inverse = sum of m m^T / pivot over the rows m of L^-1, without pivots that are absent.
+Symmetric inverseOf(Symmetric a) {
+  vec3 least = kLeastPivot * a.diagonal;
+  float px = a.diagonal.x;
+  float ix = px > least.x ? 1.0 / px : 0.0;
+  float yx = a.off.z * ix, zx = a.off.y * ix;
+  float py = a.diagonal.y - yx * a.off.z;
+  float iy = py > least.y ? 1.0 / py : 0.0;
+  float zyUnscaled = a.off.x - zx * a.off.z;
+  float zy = zyUnscaled * iy;
+  float pz = a.diagonal.z - zx * a.off.y - zy * zyUnscaled;
+  float iz = pz > least.z ? 1.0 / pz : 0.0;
+  vec3 y = vec3(-yx, 1.0, 0.0);
+  vec3 z = vec3(yx * zy - zx, -zy, 1.0);
+  return Symmetric(vec3(ix, 0, 0) + iy * y * y + iz * z * z,
+                   iy * y.yxx * y.zzy + iz * z.yxx * z.zzy);
+}
+
+void main() {
+  size = ivec3(push.grid.verticesU, push.grid.verticesV, push.grid.layers);
+  vertex = ivec3(gl_GlobalInvocationID);
+  if (!inside(vertex)) {
+    return;
+  }
+  [[unroll]] for (int axis = 0; axis < 3; ++axis) {
+    addStrut(vertex, vertex + unit(axis), axis);
+    addStrut(vertex - unit(axis), vertex, axis);
+  }
+  addCorners(0, 1);
+  addCorners(0, 2);
+  addCorners(1, 2);
+  Symmetric inverse = inverseOf(block);
+  diagonals[indexOf(vertex)] = vec4(inverse.diagonal, 0.0);
+  offDiagonals[indexOf(vertex)] = vec4(inverse.off, 0.0);
+}

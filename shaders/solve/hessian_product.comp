@@ -1,0 +1,10 @@
+// y = H z.
+#version 450
+#extension GL_GOOGLE_include_directive : require
+#include "solve/hessian.glsl"
+
+void finish(int index, bool owned, Vertex vertex, vec3 product, float stepPerForce) {
+  if (owned) {
+    result[index] = vec4(product, 0.0);
+  }
+}
