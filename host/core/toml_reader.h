@@ -82,7 +82,7 @@ class TomlSection {
  public:
   bool present() const { return table_ != nullptr; }
   /// Whether the key is there, whatever it holds.
-  bool holds(std::string_view key) const { return findAny(key) != nullptr; }
+  bool holds(std::string_view key) const { return node(key) != nullptr; }
 
   std::optional<bool> boolean(std::string_view key);
   std::optional<std::string> text(std::string_view key);

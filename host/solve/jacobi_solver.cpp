@@ -33,14 +33,6 @@ Buffer hostStorage(const Device& device, std::size_t bytes) {
   return {device, bytes, vk::BufferUsageFlagBits::eStorageBuffer, MemoryKind::host};
 }
 
-std::uint32_t groupsFor(std::uint32_t count, std::uint32_t groupSize) {
-  return (count + groupSize - 1) / groupSize;
-}
-
-TexelView texels(const Device& device, const Buffer& buffer, vk::Format format) {
-  return {device, buffer, format, sizeof(vec4), TexelAccess::image};
-}
-
 /// Rest lengths on the way from the struts' initial lengths (share 0) to the designed ones (1).
 StrutValues loadedRest(const StrutGrid& grid, double share) {
   StrutValues rest = grid.rest;
@@ -60,17 +52,16 @@ JacobiSolver::JacobiSolver(const Device& device, const StrutGrid& grid, DeviceGr
       grid_(grid),
       deviceGrid_(deviceGrid),
       energy_(grid),
-      groupsU_(groupsFor(static_cast<std::uint32_t>(grid.shape.verticesU),
-                         kSweepBlockU * device.subgroupSize())),
+      walk_(device, deviceGrid, kSweepBlockV),
       state_(hostStorage(device, sizeof(SolverState))),
-      partials_(device, groupsU_ * static_cast<std::uint32_t>(grid.shape.verticesV) * sizeof(vec4),
+      partials_(device,
+                walk_.groupsU() * static_cast<std::uint32_t>(grid.shape.verticesV) * sizeof(vec4),
                 vk::BufferUsageFlagBits::eStorageBuffer, MemoryKind::device),
       samples_(hostStorage(device, kLargestSubmission * sizeof(SolverSample))),
-      positionsView_(texels(device, deviceGrid.positions(), vk::Format::eR32G32B32A32Sint)),
-      previousView_(texels(device, deviceGrid.previousPositions(), vk::Format::eR32G32B32A32Sint)),
-      restView_(texels(device, deviceGrid.rest(), vk::Format::eR32G32B32A32Sint)),
-      stiffnessView_(texels(device, deviceGrid.stiffness(), vk::Format::eR32G32B32A32Sfloat)),
-      sweeps_(sweepKernels(sweep_comp_spirv, kSweepBlockV)),
+      positionsView_(integerTexels(device, deviceGrid.positions())),
+      previousView_(integerTexels(device, deviceGrid.previousPositions())),
+      texels_(device, deviceGrid),
+      sweeps_(sweepKernels(sweep_comp_spirv, walk_)),
       control_(
           device, control_comp_spirv,
           {{kBindingState, &state_}, {kBindingPartials, &partials_}, {kBindingSamples, &samples_}},
@@ -78,65 +69,49 @@ JacobiSolver::JacobiSolver(const Device& device, const StrutGrid& grid, DeviceGr
       stream_(device) {}
 
 JacobiSolver::SweepKernels JacobiSolver::sweepKernels(std::span<const std::uint32_t> spirv,
-                                                      std::uint32_t blockV) const {
-  const GridShape& shape = grid_.shape;
-  const auto layers = static_cast<std::uint32_t>(shape.layers);
-  const std::uint32_t unrolledLayers = layers <= kUnrolledLayers ? layers : 0;
-  const std::uint32_t uniform = deviceGrid_.uniformStiffness() ? 1 : 0;
+                                                      const ColumnWalk& walk) const {
   // From `from` to the buffer that `previous` is a view of.
   const auto resources = [&](const TexelView& from, const TexelView& previous,
                              const Buffer& to) -> std::vector<KernelResource> {
-    return {{kBindingPositions, &from},           {kBindingPreviousPositions, &previous},
-            {kBindingNextPositions, &to},         {kBindingRest, &restView_},
-            {kBindingStiffness, &stiffnessView_}, {kBindingState, &state_},
+    return {{kBindingPositions, &from},
+            {kBindingPreviousPositions, &previous},
+            {kBindingNextPositions, &to},
+            {kBindingRest, &texels_.rest},
+            {kBindingStiffness, &texels_.stiffness},
+            {kBindingState, &state_},
             {kBindingPartials, &partials_}};
   };
   const auto forth = resources(positionsView_, previousView_, deviceGrid_.previousPositions());
   const auto back = resources(previousView_, positionsView_, deviceGrid_.positions());
-  const auto constants = [&](std::uint32_t measure) -> std::vector<std::uint32_t> {
-    return {device_.subgroupSize(), measure, unrolledLayers, uniform};
-  };
-  ComputeKernel even(device_, spirv, forth, sizeof(SweepPush), constants(0));
+  ComputeKernel even(device_, spirv, forth, sizeof(SweepPush), walk.constants({0}));
   ComputeKernel odd(device_, even, back);
-  ComputeKernel measured(device_, spirv, back, sizeof(SweepPush), constants(1));
-  return {std::move(even), std::move(odd), std::move(measured),
-          groupsFor(static_cast<std::uint32_t>(shape.verticesV), blockV)};
+  ComputeKernel measured(device_, spirv, back, sizeof(SweepPush), walk.constants({1}));
+  return {std::move(even), std::move(odd), std::move(measured), walk};
 }
 
 const JacobiSolver::SweepKernels& JacobiSolver::preciseSweeps() {
   if (!preciseSweeps_) {
-    preciseSweeps_ = sweepKernels(sweep_precise_comp_spirv, kPreciseSweepBlockV);
+    const ColumnWalk walk(device_, deviceGrid_, kPreciseSweepBlockV);
+    preciseSweeps_.emplace(sweepKernels(sweep_precise_comp_spirv, walk));
   }
   return *preciseSweeps_;
-}
-
-SweepPush JacobiSolver::sweepPush() const {
-  const GridShape& shape = grid_.shape;
-  const auto stiffness = deviceGrid_.uniformStiffness().value_or(UniformStiffness{});
-  return {shape.verticesU,
-          shape.verticesV,
-          shape.layers,
-          0,
-          static_cast<float>(deviceGrid_.resolution()),
-          static_cast<float>(deviceGrid_.restResolution()),
-          static_cast<float>(grid_.angleWeight),
-          stiffness.lateral,
-          stiffness.vertical};
 }
 
 void JacobiSolver::record(const SweepKernels& kernels, int sweeps) {
   const double residualScale =
       1 / (2 * energy_.constraintWeights().mean() * std::sqrt(double(grid_.shape.vertexCount())));
-  const ControlPush controlPush{groupsU_ * kernels.groupsV, kLargestSubmission,
+  const ControlPush controlPush{kernels.walk.groupCount(), kLargestSubmission,
                                 static_cast<float>(residualScale)};
-  SweepPush push = sweepPush();
+  const std::uint32_t groupsU = kernels.walk.groupsU();
+  const std::uint32_t groupsV = kernels.walk.groupsV();
+  SweepPush push{kernels.walk.push(), 0};
   stream_.begin();
   for (int n = 0; n < sweeps; ++n) {
     push.sweep = static_cast<std::uint32_t>(n) % kSweepsPerCheck;
     if (push.sweep + 1 < kSweepsPerCheck) {
-      stream_.dispatch(n % 2 == 0 ? kernels.even : kernels.odd, push, groupsU_, kernels.groupsV);
+      stream_.dispatch(n % 2 == 0 ? kernels.even : kernels.odd, push, groupsU, groupsV);
     } else {
-      stream_.dispatch(kernels.measured, push, groupsU_, kernels.groupsV);
+      stream_.dispatch(kernels.measured, push, groupsU, groupsV);
       stream_.dispatch(control_, controlPush, 1);
     }
   }

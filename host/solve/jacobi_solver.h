@@ -2,8 +2,7 @@
 #include <optional>
 
 #include "gpu/command_stream.h"
-#include "shared/solver_types.h"
-#include "solve/device_grid.h"
+#include "solve/column_walk.h"
 #include "solve/energy.h"
 #include "solve/equilibrium.h"
 
@@ -33,13 +32,12 @@ class JacobiSolver {
     ComputeKernel even;      ///< positions -> previous positions
     ComputeKernel odd;       ///< previous positions -> positions
     ComputeKernel measured;  ///< as odd, with energy and residual
-    std::uint32_t groupsV;
+    ColumnWalk walk;
   };
 
-  SweepKernels sweepKernels(std::span<const std::uint32_t> spirv, std::uint32_t blockV) const;
+  SweepKernels sweepKernels(std::span<const std::uint32_t> spirv, const ColumnWalk& walk) const;
   /// For devices with float64.
   const SweepKernels& preciseSweeps();
-  SweepPush sweepPush() const;
   void record(const SweepKernels& kernels, int sweeps);
   void resetState(double tolerance);
   void runUntil(const SweepKernels& kernels, double tolerance, long sweepLimit, RunLog& log);
@@ -48,14 +46,13 @@ class JacobiSolver {
   const StrutGrid& grid_;
   DeviceGrid& deviceGrid_;
   StrutEnergy energy_;
-  std::uint32_t groupsU_;
+  ColumnWalk walk_;
   Buffer state_;
   Buffer partials_;
   Buffer samples_;
   TexelView positionsView_;
   TexelView previousView_;
-  TexelView restView_;
-  TexelView stiffnessView_;
+  GridTexels texels_;
   SweepKernels sweeps_;
   std::optional<SweepKernels> preciseSweeps_;  ///< Compiled when they are first needed.
   ComputeKernel control_;

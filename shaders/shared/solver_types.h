@@ -47,17 +47,22 @@ CONSTANT uint kBindingSamples = 6u;   // buffer, SolverSample
 // Rest lengths are an ivec4 a vertex: L of its struts to +u, +v and +w in fixed point, and in w the
 // bits of a float: how far the vertex steps per unit of force.
 
-// Lengths are in units of the spacing, energies in stiffness x spacing^2.
-struct SweepPush {
+// What every walk through the columns (columns.glsl) needs. Lengths are in units of the spacing,
+// energies in stiffness x spacing^2.
+struct GridPush {
   int verticesU;
   int verticesV;
   int layers;
-  uint sweep;            // Number of this sweep since the last check, 0 .. kSweepsPerCheck-1.
   float resolution;      // Spacings per step of the fixed-point positions, a power of two.
   float restResolution;  // Spacings per step of the fixed-point rest lengths, a power of two.
   float angleWeight;
-  float lateralStiffness;  // Used where stiffness is uniform: kUniformStiffness of sweep.glsl.
+  float lateralStiffness;  // Used where stiffness is uniform: kUniformStiffness of columns.glsl.
   float verticalStiffness;
+};
+
+struct SweepPush {
+  GridPush grid;
+  uint sweep;  // Number of this sweep since the last check, 0 .. kSweepsPerCheck-1.
 };
 
 struct ControlPush {
@@ -79,6 +84,7 @@ struct SolverSample {
 };
 
 #ifdef __cplusplus
+static_assert(sizeof(GridPush) == 32);
 static_assert(sizeof(SweepPush) == 36);
 static_assert(sizeof(ControlPush) == 12);
 static_assert(sizeof(SolverState) == 16);

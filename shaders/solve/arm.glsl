@@ -1,4 +1,4 @@
-// Fixed-point positions (shared/solver_types.h), and the edges between them: exact integer differences,
+// Fixed-point positions (shared/solver_types.h), and the arms between them: exact integer differences,
 // in spacings; single precision, or double with PRECISE.
 #ifdef PRECISE
 #define Arm dvec3
@@ -39,38 +39,4 @@ ivec4 moved(ivec4 p, vec3 delta) {
   ivec3 extra = min(ivec3((fine - whole) * kExtraSteps), kExtraMask);
   int extras = extra.x | (extra.y << kExtraBits) | (extra.z << (2 * kExtraBits));
   return ivec4(p.xyz + ivec3(whole), max(extras, 0));
-}
-
-// From one vertex to its neighbour.
-struct Edge {
-  Arm arm;
-  Squared square;
-  float halfSquare;
-};
-
-Edge edgeBetween(ivec4 from, ivec4 to, float resolution) {
-  Arm arm = armBetween(from, to, resolution);
-  Squared square = dot(arm, arm);
-  return Edge(arm, square, 0.5 * float(square));
-}
-
-// |e| - L from |e|^2; rest = L in steps of restResolution.
-float lengthExcess(Squared square, int rest, float restResolution) {
-#ifdef PRECISE
-  double restLength = double(rest) * double(restResolution);
-  double difference = square - restLength * restLength;
-  return float(difference) / max(sqrt(float(square)) + float(restLength), 1e-20);  // 0 / 0: no strut
-#else
-  return sqrt(square) - float(rest) * restResolution;
-#endif
-}
-
-// 1 - L / |e|
-float relativeStretch(Edge e, int rest, float restResolution) {
-  float inverseLength = inversesqrt(float(e.square) + 1e-20);  // 1 / 0: no strut
-#ifdef PRECISE
-  return lengthExcess(e.square, rest, restResolution) * inverseLength;
-#else
-  return 1.0 - float(rest) * restResolution * inverseLength;
-#endif
 }

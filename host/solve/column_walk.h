@@ -1,0 +1,45 @@
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "gpu/buffer.h"
+#include "shared/solver_types.h"
+#include "solve/device_grid.h"
+
+namespace morphgrid {
+
+/// How kernels that include shaders/solve/columns.glsl are specialised and dispatched for a grid.
+class ColumnWalk {
+ public:
+  /// blockV: rows of columns per invocation, kBlockV of the kernel; kBlockU is kSweepBlockU.
+  /// Keeps a reference to the grid.
+  ColumnWalk(const Device& device, const DeviceGrid& grid, std::uint32_t blockV);
+
+  /// Values of the constants of columns.glsl, then those of the kernel itself.
+  std::vector<std::uint32_t> constants(const std::vector<std::uint32_t>& own = {}) const;
+  GridPush push() const;
+
+  std::uint32_t groupsU() const { return groupsU_; }
+  std::uint32_t groupsV() const { return groupsV_; }
+  std::uint32_t groupCount() const { return groupsU_ * groupsV_; }
+
+ private:
+  const DeviceGrid& grid_;
+  std::uint32_t subgroupSize_;
+  std::uint32_t groupsU_;
+  std::uint32_t groupsV_;
+};
+
+/// Four 32-bit components a texel, to be read by imageLoad.
+TexelView integerTexels(const Device& device, const Buffer& buffer);
+TexelView floatTexels(const Device& device, const Buffer& buffer);
+
+/// Views of what does not change while a grid is solved.
+struct GridTexels {
+  TexelView rest;
+  TexelView stiffness;
+
+  GridTexels(const Device& device, const DeviceGrid& grid);
+};
+
+}  // namespace morphgrid
