@@ -17,14 +17,14 @@ constexpr double kPointSpectralRadius = 4;
 using Matrix6d = Eigen::Matrix<double, 6, 6>;
 
 /// As shaders/shared/multigrid_types.h lays it out.
-Matrix6d blockAt(const BlockField& field, int point, int pointCount) {
+Matrix6d blockAt(const BlockField& field, int point) {
   Matrix6d block;
   for (int n = 0; n < int(kBlockParts * kPartTexels); ++n) {
     const int column = n % 3;
     const int quarter = n / 3;
     const vec4 texel =
         field.part(static_cast<std::size_t>(quarter)).buffer().mapped<vec4>()[std::size_t(
-            column * pointCount + point)];
+            3 * point + column)];
     const int firstRow = quarter == 2 ? 3 : 0;
     const int firstColumn = quarter == 1 ? 3 : 0;
     for (int row = 0; row < 3; ++row) {
@@ -143,7 +143,7 @@ Eigen::MatrixXd CoarseLevels::coarsestMatrix() const {
           continue;
         }
         const int row = j * points.u + i;
-        const Matrix6d block = blockAt(level.blocks(direction), row, points.count());
+        const Matrix6d block = blockAt(level.blocks(direction), row);
         matrix.block<6, 6>(Eigen::Index(6) * row, Eigen::Index(6) * (v * points.u + u)) += block;
         matrix.block<6, 6>(Eigen::Index(6) * (v * points.u + u), Eigen::Index(6) * row) +=
             block.transpose();

@@ -20,9 +20,9 @@ CONSTANT uint kStencilNorthWest = 4u;
 CONSTANT uint kStencilSize = 5u;
 
 // A block is 9 texels in 3 buffers, so that none exceeds a device's limit: texel n of them is texel
-// n % 3 of buffer n / 3, where point p has it at index (n % 3) pointCount + p. With the block's
-// quarters of 3 x 3, column n % 3 of (tt, tw, wt)[n / 3] is texel n's xyz, and ww[n / 3][n % 3] its
-// w.
+// 3 p + n % 3 of buffer n / 3, p the point: with the block's quarters of 3 x 3, column n % 3 of
+// (tt, tw, wt)[n / 3] in xyz, and ww[n / 3][n % 3] in w. Point by point, as 45 streams are more than
+// a processor fetches ahead.
 CONSTANT uint kBlockParts = 3u;
 CONSTANT uint kPartTexels = 3u;
 

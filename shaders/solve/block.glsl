@@ -64,22 +64,22 @@ Block unpackBlock(vec4 a, vec4 b, vec4 c, vec4 d, vec4 e, vec4 f, vec4 g, vec4 h
 }
 
 // Three image buffers hold a field of blocks, one a point.
-#define BLOCK_AT(a, b, c, point, count)                                                           \
-  unpackBlock(imageLoad(a, point), imageLoad(a, (point) + (count)),                               \
-              imageLoad(a, (point) + 2 * (count)), imageLoad(b, point),                           \
-              imageLoad(b, (point) + (count)), imageLoad(b, (point) + 2 * (count)),               \
-              imageLoad(c, point), imageLoad(c, (point) + (count)),                               \
-              imageLoad(c, (point) + 2 * (count)))
+#define BLOCK_AT(a, b, c, point)                                                             \
+  unpackBlock(imageLoad(a, 3 * (point)), imageLoad(a, 3 * (point) + 1),                      \
+              imageLoad(a, 3 * (point) + 2), imageLoad(b, 3 * (point)),                      \
+              imageLoad(b, 3 * (point) + 1), imageLoad(b, 3 * (point) + 2),                  \
+              imageLoad(c, 3 * (point)), imageLoad(c, 3 * (point) + 1),                      \
+              imageLoad(c, 3 * (point) + 2))
 
-#define STORE_COLUMNS(part, point, count, quarter, corner) \
-  part[point] = vec4(quarter[0], corner.x);                \
-  part[(point) + (count)] = vec4(quarter[1], corner.y);    \
-  part[(point) + 2 * (count)] = vec4(quarter[2], corner.z)
+#define STORE_COLUMNS(part, point, quarter, corner)   \
+  part[3 * (point)] = vec4(quarter[0], corner.x);     \
+  part[3 * (point) + 1] = vec4(quarter[1], corner.y); \
+  part[3 * (point) + 2] = vec4(quarter[2], corner.z)
 
-#define STORE_BLOCK(a, b, c, point, count, block)            \
-  STORE_COLUMNS(a, point, count, (block).tt, (block).ww[0]); \
-  STORE_COLUMNS(b, point, count, (block).tw, (block).ww[1]); \
-  STORE_COLUMNS(c, point, count, (block).wt, (block).ww[2])
+#define STORE_BLOCK(a, b, c, point, block)            \
+  STORE_COLUMNS(a, point, (block).tt, (block).ww[0]); \
+  STORE_COLUMNS(b, point, (block).tw, (block).ww[1]); \
+  STORE_COLUMNS(c, point, (block).wt, (block).ww[2])
 
 #define MOTION_AT(vectors, point) \
   Motion(imageLoad(vectors, 2 * (point)).xyz, imageLoad(vectors, 2 * (point) + 1).xyz)

@@ -61,5 +61,5 @@ void main() {
       addRow(stencil, finePointOf(point) + ivec2(u, v));
     }
   }
-  storeStencil(nearestIndex(point, coarseSize), coarseSize.x * coarseSize.y, stencil);
+  storeStencil(nearestIndex(point, coarseSize), stencil);
 }

@@ -167,5 +167,5 @@ void main() {
       addVerticalStrut(stencil.self, layer);
     }
   }
-  storeStencil(vertexIndex(p, 0), push.grid.verticesU * push.grid.verticesV, stencil);
+  storeStencil(vertexIndex(p, 0), stencil);
 }

@@ -95,14 +95,13 @@ void main() {
   if (p.x >= push.pointsU) {
     return;
   }
-  int count = push.pointsU * push.pointsV;
   int point = p.y * push.pointsU + p.x;
-  factorise(BLOCK_AT(self0, self1, self2, point, count));
+  factorise(BLOCK_AT(self0, self1, self2, point));
   invertLower();
   Block inverse;
   inverse.tt = inverseQuarter(0, 0);
   inverse.tw = inverseQuarter(0, 3);
   inverse.wt = transpose(inverse.tw);
   inverse.ww = inverseQuarter(3, 3);
-  STORE_BLOCK(inverse0, inverse1, inverse2, point, count, inverse);
+  STORE_BLOCK(inverse0, inverse1, inverse2, point, inverse);
 }

@@ -20,7 +20,6 @@ void main() {
     return;
   }
   int point = p.y * push.pointsU + p.x;
-  Motion step = multiply(BLOCK_AT(inverse0, inverse1, inverse2, point, push.pointsU * push.pointsV),
-                         MOTION_AT(rightSide, point));
+  Motion step = multiply(BLOCK_AT(inverse0, inverse1, inverse2, point), MOTION_AT(rightSide, point));
   STORE_MOTION(result, point, Motion(push.weight * step.t, push.weight * step.w));
 }

@@ -14,8 +14,7 @@ layout(binding = kBindingInverse + 2u, rgba32f) readonly uniform imageBuffer inv
 void main() {
   matrixSize = ivec2(push.pointsU, push.pointsV);
   ivec2 p = ivec2(gl_GlobalInvocationID.xy);
-  Motion step = multiply(BLOCK_AT(inverse0, inverse1, inverse2, pointIndex(p), pointCount()),
-                         residualAt(p));
+  Motion step = multiply(BLOCK_AT(inverse0, inverse1, inverse2, pointIndex(p)), residualAt(p));
   Motion x = iterateAt(p);
   if (isPoint(p)) {
     STORE_MOTION(result, pointIndex(p),

@@ -32,8 +32,6 @@ layout(binding = kBindingMatrix + 3u * kStencilNorthWest + 2u, rgba32f) readonly
 
 ivec2 matrixSize;
 
-int pointCount() { return matrixSize.x * matrixSize.y; }
-
 bool isPoint(ivec2 p) { return all(greaterThanEqual(p, ivec2(0))) && all(lessThan(p, matrixSize)); }
 
 // Of the nearest point.
@@ -43,23 +41,23 @@ int pointIndex(ivec2 p) {
 }
 
 Block selfBlock(int point) {
-  return BLOCK_AT(self0, self1, self2, point, pointCount());
+  return BLOCK_AT(self0, self1, self2, point);
 }
 
 Block eastBlock(int point) {
-  return BLOCK_AT(east0, east1, east2, point, pointCount());
+  return BLOCK_AT(east0, east1, east2, point);
 }
 
 Block northBlock(int point) {
-  return BLOCK_AT(north0, north1, north2, point, pointCount());
+  return BLOCK_AT(north0, north1, north2, point);
 }
 
 Block northEastBlock(int point) {
-  return BLOCK_AT(northEast0, northEast1, northEast2, point, pointCount());
+  return BLOCK_AT(northEast0, northEast1, northEast2, point);
 }
 
 Block northWestBlock(int point) {
-  return BLOCK_AT(northWest0, northWest1, northWest2, point, pointCount());
+  return BLOCK_AT(northWest0, northWest1, northWest2, point);
 }
 
 // Row p, column p + offset of the matrix.

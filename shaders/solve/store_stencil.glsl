@@ -51,10 +51,10 @@ struct Stencil {
 
 const Stencil kNoStencil = Stencil(kNoBlock, kNoBlock, kNoBlock, kNoBlock, kNoBlock);
 
-void storeStencil(int point, int count, Stencil stencil) {
-  STORE_BLOCK(newSelf0, newSelf1, newSelf2, point, count, stencil.self);
-  STORE_BLOCK(newEast0, newEast1, newEast2, point, count, stencil.east);
-  STORE_BLOCK(newNorth0, newNorth1, newNorth2, point, count, stencil.north);
-  STORE_BLOCK(newNorthEast0, newNorthEast1, newNorthEast2, point, count, stencil.northEast);
-  STORE_BLOCK(newNorthWest0, newNorthWest1, newNorthWest2, point, count, stencil.northWest);
+void storeStencil(int point, Stencil stencil) {
+  STORE_BLOCK(newSelf0, newSelf1, newSelf2, point, stencil.self);
+  STORE_BLOCK(newEast0, newEast1, newEast2, point, stencil.east);
+  STORE_BLOCK(newNorth0, newNorth1, newNorth2, point, stencil.north);
+  STORE_BLOCK(newNorthEast0, newNorthEast1, newNorthEast2, point, stencil.northEast);
+  STORE_BLOCK(newNorthWest0, newNorthWest1, newNorthWest2, point, stencil.northWest);
 }

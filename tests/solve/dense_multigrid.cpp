@@ -58,7 +58,7 @@ MatrixXd downloadField(const Device& device, const BlockField& field, Index coun
                                        static_cast<std::size_t>(3 * count));
     for (Index column = 0; column < 3; ++column) {
       for (Index point = 0; point < count; ++point) {
-        const vec4 texel = texels[static_cast<std::size_t>(column * count + point)];
+        const vec4 texel = texels[static_cast<std::size_t>(3 * point + column)];
         const Vector3d quarter(texel.x, texel.y, texel.z);
         const Index left = 6 * point;
         if (part == 1) {
