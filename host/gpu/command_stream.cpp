@@ -49,9 +49,10 @@ void CommandStream::dispatchBytes(const ComputeKernel& kernel, const void* push,
   commands_.dispatch(groupsX, groupsY, groupsZ);
 }
 
-void CommandStream::copy(const Buffer& from, const Buffer& to, vk::DeviceSize bytes) {
+void CommandStream::copy(const Buffer& from, const Buffer& to, vk::DeviceSize bytes,
+                         vk::DeviceSize fromOffset) {
   orderAfterPrevious();
-  commands_.copyBuffer(from.handle(), to.handle(), vk::BufferCopy(0, 0, bytes));
+  commands_.copyBuffer(from.handle(), to.handle(), vk::BufferCopy(fromOffset, 0, bytes));
 }
 
 void CommandStream::end() {

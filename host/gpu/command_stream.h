@@ -18,7 +18,8 @@ class CommandStream {
     dispatchBytes(kernel, &push, sizeof(Push), groupsX, groupsY, groupsZ);
   }
 
-  void copy(const Buffer& from, const Buffer& to, vk::DeviceSize bytes);
+  void copy(const Buffer& from, const Buffer& to, vk::DeviceSize bytes,
+            vk::DeviceSize fromOffset = 0);
   void end();
 
   /// Runs what was recorded and waits. Throws DeviceError when the device fails.

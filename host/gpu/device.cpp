@@ -183,6 +183,14 @@ std::uint32_t subgroupSizeOf(const vk::raii::PhysicalDevice& device) {
       .subgroupSize;
 }
 
+vk::PhysicalDeviceProperties limitedProperties(const vk::raii::PhysicalDevice& device,
+                                               std::uint32_t largestStorageBuffer) {
+  vk::PhysicalDeviceProperties properties = device.getProperties();
+  std::uint32_t& limit = properties.limits.maxStorageBufferRange;
+  limit = std::min(limit, largestStorageBuffer);
+  return properties;
+}
+
 vk::raii::Device createDevice(const vk::raii::PhysicalDevice& physical, std::uint32_t queueFamily,
                               bool float64) {
   vk::PhysicalDeviceFeatures features;
@@ -217,7 +225,7 @@ Device::Device(const DeviceOptions& options)
       instance_(createInstance(context_, options.validation)),
       messenger_(createMessenger(instance_, options.validation, messages_.get())),
       physical_(selectDevice(instance_, options.selection)),
-      properties_(physical_.getProperties()),
+      properties_(limitedProperties(physical_, options.largestStorageBuffer)),
       queueFamily_(*generalQueueFamily(physical_)),
       hasFloat64_(physical_.getFeatures().shaderFloat64 != VK_FALSE),
       subgroupSize_(subgroupSizeOf(physical_)),

@@ -1,4 +1,5 @@
 #pragma once
+#include <limits>
 #include <memory>
 #include <string>
 #include <vector>
@@ -21,6 +22,8 @@ struct DeviceOptions {
   std::string selection;
   /// Core and synchronization validation; messages are collected in validationMessages().
   bool validation = false;
+  /// Bytes of a storage buffer that shaders reach, at most: for tests of what does not fit.
+  std::uint32_t largestStorageBuffer = std::numeric_limits<std::uint32_t>::max();
 };
 
 /// A Vulkan device with one queue for compute, graphics and transfer.

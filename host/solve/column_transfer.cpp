@@ -1,0 +1,79 @@
+#include "solve/column_transfer.h"
+
+#include "solve/column_matrix_comp.h"
+#include "solve/prolong_columns_comp.h"
+#include "solve/restrict_columns_comp.h"
+
+namespace morphgrid {
+namespace {
+
+int centreLayer(const GridShape& shape) { return shape.layers / 2; }
+
+std::vector<KernelResource> matrixResources(const PointLevel& columns, const GridTexels& grid) {
+  std::vector<KernelResource> resources = columns.matrixBuffers();
+  resources.push_back({kBindingRest, &grid.rest});
+  resources.push_back({kBindingStiffness, &grid.stiffness});
+  return resources;
+}
+
+}  // namespace
+
+ColumnTransfer::ColumnTransfer(const Device& device, const DeviceGrid& grid,
+                               const PointLevel& columns, const Buffer& positions,
+                               const Buffer& residual, const Buffer& correction)
+    : device_(device),
+      grid_(grid),
+      columns_(columns),
+      positions_(positions),
+      positionTexels_(integerTexels(device, positions)),
+      residualTexels_(floatTexels(device, residual)),
+      correctionTexels_(floatTexels(device, correction)),
+      gridTexels_(device, grid),
+      matrix_(kernel(column_matrix_comp_spirv, matrixResources(columns, gridTexels_))),
+      restriction_(kernel(restrict_columns_comp_spirv,
+                          {{kBindingFineVector, &residualTexels_},
+                           {kBindingResult, &columns.rightSide().buffer()}})),
+      prolongation_(kernel(prolong_columns_comp_spirv,
+                           {{kBindingCoarseVector, &columns.result().texels()},
+                            {kBindingFineVector, &correctionTexels_},
+                            {kBindingFineResult, &correction}})) {}
+
+ComputeKernel ColumnTransfer::kernel(std::span<const std::uint32_t> spirv,
+                                     std::vector<KernelResource> resources) const {
+  resources.push_back({kBindingPositions, &positionTexels_});
+  return {device_, spirv, resources, sizeof(ColumnPush), {device_.subgroupSize()}};
+}
+
+ColumnPush ColumnTransfer::push(double damping) const {
+  const GridShape& shape = grid_.shape();
+  // Stiffnesses are loaded: no uniform ones.
+  const GridPush grid{shape.verticesU,
+                      shape.verticesV,
+                      shape.layers,
+                      static_cast<float>(grid_.resolution()),
+                      static_cast<float>(grid_.restResolution()),
+                      static_cast<float>(grid_.angleWeight()),
+                      0,
+                      0};
+  return {grid, centreLayer(shape), static_cast<float>(damping)};
+}
+
+void ColumnTransfer::recordCentres(CommandStream& stream) const {
+  const vk::DeviceSize bytes = columns_.centres().buffer().bytes();
+  stream.copy(positions_, columns_.centres().buffer(), bytes,
+              static_cast<vk::DeviceSize>(centreLayer(grid_.shape())) * bytes);
+}
+
+void ColumnTransfer::recordMatrix(CommandStream& stream, double damping) const {
+  dispatchPoints(device_, stream, matrix_, push(damping), columns_.points());
+}
+
+void ColumnTransfer::recordRestriction(CommandStream& stream) const {
+  dispatchPoints(device_, stream, restriction_, push(0), columns_.points());
+}
+
+void ColumnTransfer::recordProlongation(CommandStream& stream) const {
+  dispatchPoints(device_, stream, prolongation_, push(0), columns_.points());
+}
+
+}  // namespace morphgrid

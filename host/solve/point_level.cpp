@@ -1,0 +1,159 @@
+#include "solve/point_level.h"
+
+#include "solve/coarse_matrix_comp.h"
+#include "solve/invert_blocks_comp.h"
+#include "solve/levers_comp.h"
+#include "solve/matrix_first_smoothing_comp.h"
+#include "solve/matrix_residual_comp.h"
+#include "solve/matrix_smoothing_comp.h"
+#include "solve/prolong_points_comp.h"
+#include "solve/restrict_points_comp.h"
+
+namespace morphgrid {
+namespace {
+
+constexpr auto kTexelUsage =
+    vk::BufferUsageFlagBits::eStorageBuffer | vk::BufferUsageFlagBits::eStorageTexelBuffer |
+    vk::BufferUsageFlagBits::eTransferSrc | vk::BufferUsageFlagBits::eTransferDst;
+
+/// Of weighted Jacobi that damps eigenvalues from an eighth of the largest one on.
+constexpr double smoothingWeightFor(double spectralRadius) {
+  return 2 / (spectralRadius * (1 + 1.0 / 8));
+}
+
+TexelBuffer motions(const Device& device, PointGrid points) {
+  return {device, 2 * static_cast<std::size_t>(points.count()), vk::Format::eR32G32B32A32Sfloat,
+          MemoryKind::device};
+}
+
+std::vector<BlockField> blockFields(const Device& device, PointGrid points, MemoryKind memory) {
+  std::vector<BlockField> fields;
+  for (std::uint32_t n = 0; n < kStencilSize; ++n) {
+    fields.emplace_back(device, points.count(), memory);
+  }
+  return fields;
+}
+
+KernelFamily family(const Device& device, std::span<const std::uint32_t> spirv,
+                    std::size_t pushBytes) {
+  return {device, spirv, static_cast<std::uint32_t>(pushBytes), {device.subgroupSize()}};
+}
+
+}  // namespace
+
+TexelBuffer::TexelBuffer(const Device& device, std::size_t texels, vk::Format format,
+                         MemoryKind kind)
+    : buffer_(device, texels * sizeof(vec4), kTexelUsage, kind),
+      texels_(device, buffer_, format, sizeof(vec4), TexelAccess::image) {}
+
+BlockField::BlockField(const Device& device, int pointCount, MemoryKind kind) {
+  for (std::uint32_t n = 0; n < kBlockParts; ++n) {
+    parts_.emplace_back(device, static_cast<std::size_t>(pointCount) * kPartTexels,
+                        vk::Format::eR32G32B32A32Sfloat, kind);
+  }
+}
+
+void BlockField::appendTexels(std::vector<KernelResource>& resources,
+                              std::uint32_t binding) const {
+  for (const TexelBuffer& part : parts_) {
+    resources.push_back({binding++, &part.texels()});
+  }
+}
+
+void BlockField::appendBuffers(std::vector<KernelResource>& resources,
+                               std::uint32_t binding) const {
+  for (const TexelBuffer& part : parts_) {
+    resources.push_back({binding++, &part.buffer()});
+  }
+}
+
+PointKernels::PointKernels(const Device& device)
+    : inversion(family(device, invert_blocks_comp_spirv, sizeof(SmoothingPush))),
+      firstSmoothing(family(device, matrix_first_smoothing_comp_spirv, sizeof(SmoothingPush))),
+      residual(family(device, matrix_residual_comp_spirv, sizeof(SmoothingPush))),
+      smoothing(family(device, matrix_smoothing_comp_spirv, sizeof(SmoothingPush))),
+      levers(family(device, levers_comp_spirv, sizeof(TransferPush))),
+      product(family(device, coarse_matrix_comp_spirv, sizeof(TransferPush))),
+      restriction(family(device, restrict_points_comp_spirv, sizeof(TransferPush))),
+      prolongation(family(device, prolong_points_comp_spirv, sizeof(TransferPush))) {}
+
+PointLevel::PointLevel(const Device& device, PointKernels& kernels, PointGrid points,
+                       MemoryKind memory, double spectralRadiusBound)
+    : device_(device),
+      points_(points),
+      smoothingWeight_(smoothingWeightFor(spectralRadiusBound)),
+      matrix_(blockFields(device, points, memory)),
+      inverse_(device, points.count(), MemoryKind::device),
+      centres_(device, static_cast<std::size_t>(points.count()), vk::Format::eR32G32B32A32Sint,
+               memory),
+      rightSide_(motions(device, points)),
+      iterate_(motions(device, points)),
+      result_(motions(device, points)),
+      inversion_(inversionKernel(kernels)),
+      firstSmoothing_(firstSmoothingKernel(kernels)),
+      residual_(residualKernel(kernels)),
+      smoothing_(smoothingKernel(kernels)) {}
+
+std::vector<KernelResource> PointLevel::matrixTexels() const {
+  std::vector<KernelResource> resources;
+  for (std::uint32_t n = 0; n < kStencilSize; ++n) {
+    matrix_[n].appendTexels(resources, kBindingMatrix + n * kBlockParts);
+  }
+  return resources;
+}
+
+std::vector<KernelResource> PointLevel::matrixBuffers() const {
+  std::vector<KernelResource> resources;
+  for (std::uint32_t n = 0; n < kStencilSize; ++n) {
+    matrix_[n].appendBuffers(resources, kBindingCoarseMatrix + n * kBlockParts);
+  }
+  return resources;
+}
+
+ComputeKernel PointLevel::inversionKernel(PointKernels& kernels) const {
+  std::vector<KernelResource> resources;
+  matrix_[kStencilSelf].appendTexels(resources, kBindingMatrix);
+  inverse_.appendBuffers(resources, kBindingInverse);
+  return kernels.inversion.bind(resources);
+}
+
+ComputeKernel PointLevel::firstSmoothingKernel(PointKernels& kernels) const {
+  std::vector<KernelResource> resources{{kBindingRightSide, &rightSide_.texels()},
+                                        {kBindingResult, &iterate_.buffer()}};
+  inverse_.appendTexels(resources, kBindingInverse);
+  return kernels.firstSmoothing.bind(resources);
+}
+
+ComputeKernel PointLevel::residualKernel(PointKernels& kernels) const {
+  std::vector<KernelResource> resources = matrixTexels();
+  resources.insert(resources.end(), {{kBindingIterate, &iterate_.texels()},
+                                     {kBindingRightSide, &rightSide_.texels()},
+                                     {kBindingResult, &result_.buffer()}});
+  return kernels.residual.bind(resources);
+}
+
+ComputeKernel PointLevel::smoothingKernel(PointKernels& kernels) const {
+  std::vector<KernelResource> resources = matrixTexels();
+  resources.insert(resources.end(), {{kBindingIterate, &iterate_.texels()},
+                                     {kBindingRightSide, &rightSide_.texels()},
+                                     {kBindingResult, &result_.buffer()}});
+  inverse_.appendTexels(resources, kBindingInverse);
+  return kernels.smoothing.bind(resources);
+}
+
+void PointLevel::dispatch(CommandStream& stream, const ComputeKernel& kernel) const {
+  const SmoothingPush push{points_.u, points_.v, static_cast<float>(smoothingWeight_)};
+  dispatchPoints(device_, stream, kernel, push, points_);
+}
+
+void PointLevel::recordInversion(CommandStream& stream) const { dispatch(stream, inversion_); }
+
+void PointLevel::recordFirstSmoothing(CommandStream& stream) const {
+  dispatch(stream, firstSmoothing_);
+}
+
+void PointLevel::recordResidual(CommandStream& stream) const { dispatch(stream, residual_); }
+
+void PointLevel::recordSmoothing(CommandStream& stream) const { dispatch(stream, smoothing_); }
+
+}  // namespace morphgrid

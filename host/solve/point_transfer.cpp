@@ -1,0 +1,64 @@
+#include "solve/point_transfer.h"
+
+namespace morphgrid {
+namespace {
+
+ComputeKernel productKernel(PointKernels& kernels, const PointLevel& fine,
+                            const PointLevel& coarse, const TexelBuffer& levers) {
+  std::vector<KernelResource> resources = fine.matrixTexels();
+  const std::vector<KernelResource> written = coarse.matrixBuffers();
+  resources.insert(resources.end(), written.begin(), written.end());
+  resources.push_back({kBindingCoarseCentres, &coarse.centres().texels()});
+  resources.push_back({kBindingLevers, &levers.texels()});
+  return kernels.product.bind(resources);
+}
+
+}  // namespace
+
+PointGrid coarsened(PointGrid points) { return {points.u / 2 + 1, points.v / 2 + 1}; }
+
+PointTransfer::PointTransfer(const Device& device, PointKernels& kernels, const PointLevel& fine,
+                             const PointLevel& coarse, double resolution)
+    : device_(device),
+      fine_(fine),
+      coarse_(coarse),
+      resolution_(resolution),
+      levers_(device, static_cast<std::size_t>(fine.points().count()),
+              vk::Format::eR32G32B32A32Sint, MemoryKind::device),
+      centresKernel_(kernels.levers.bind({{kBindingCentres, &fine.centres().texels()},
+                                          {kBindingCoarseCentres, &coarse.centres().buffer()},
+                                          {kBindingLevers, &levers_.buffer()}})),
+      product_(productKernel(kernels, fine, coarse, levers_)),
+      restriction_(kernels.restriction.bind({{kBindingFineVector, &fine.result().texels()},
+                                             {kBindingCoarseCentres, &coarse.centres().texels()},
+                                             {kBindingLevers, &levers_.texels()},
+                                             {kBindingResult, &coarse.rightSide().buffer()}})),
+      prolongation_(kernels.prolongation.bind({{kBindingCoarseVector, &coarse.result().texels()},
+                                               {kBindingCoarseCentres, &coarse.centres().texels()},
+                                               {kBindingLevers, &levers_.texels()},
+                                               {kBindingFineVector, &fine.iterate().texels()},
+                                               {kBindingFineResult, &fine.iterate().buffer()}})) {
+}
+
+TransferPush PointTransfer::push() const {
+  return {fine_.points().u, fine_.points().v, coarse_.points().u, coarse_.points().v,
+          static_cast<float>(resolution_)};
+}
+
+void PointTransfer::recordCentres(CommandStream& stream) const {
+  dispatchPoints(device_, stream, centresKernel_, push(), fine_.points());
+}
+
+void PointTransfer::recordProduct(CommandStream& stream) const {
+  dispatchPoints(device_, stream, product_, push(), coarse_.points());
+}
+
+void PointTransfer::recordRestriction(CommandStream& stream) const {
+  dispatchPoints(device_, stream, restriction_, push(), coarse_.points());
+}
+
+void PointTransfer::recordProlongation(CommandStream& stream) const {
+  dispatchPoints(device_, stream, prolongation_, push(), fine_.points());
+}
+
+}  // namespace morphgrid

@@ -1,0 +1,171 @@
+// The columns' matrix P^T H P at the positions: five blocks of a column's row, gathered from its struts and
+// corners. A face of the grid is four vertices in a ring with a corner at each. Round the column there are
+// four lateral faces a layer and four vertical ones between layers. Runs once in several cycles: a corner
+// is differentiated once for each of its columns.
+#version 450
+#extension GL_GOOGLE_include_directive : require
+#extension GL_EXT_control_flow_attributes : require
+#include "shared/multigrid_types.h"
+#include "solve/block.glsl"
+#include "solve/columns_of_points.glsl"
+#include "solve/corner_derivative.glsl"
+#include "solve/store_stencil.glsl"
+
+layout(local_size_x_id = 0) in;
+
+layout(binding = kBindingRest, rgba32i) readonly uniform iimageBuffer restLengths;
+layout(binding = kBindingStiffness, rgba32f) readonly uniform imageBuffer stiffnesses;
+
+// Added to halves of squares: nothing divides by zero where neighbours are missing.
+const float kNoLength = 1e-10;
+
+struct Vertex {
+  ivec4 position;
+  vec3 lever;  // From the centre of its column.
+};
+
+// A corner's 2 w J^T J, J as rows of its vertices' columns.
+struct Derivative {
+  float weight;
+  Motion apex, next, previous;
+};
+
+// The column, and its neighbours a and b a quarter turn apart, with d beyond both.
+ivec2 p, a, b, d;
+ivec4 centreP, centreA, centreB, centreD;
+// The parts of the column's row in which the neighbours' motions are multiplied.
+Block withP, withA, withB, withD;
+
+bool isColumn(ivec2 column) {
+  return all(greaterThanEqual(column, ivec2(0))) &&
+         all(lessThan(column, ivec2(push.grid.verticesU, push.grid.verticesV)));
+}
+
+Vertex vertexAt(ivec2 column, int layer, ivec4 centre) {
+  ivec4 position = positionAt(column, layer);
+  return Vertex(position, between(centre, position));
+}
+
+Motion rowOf(vec3 derivative, Vertex vertex) {
+  return Motion(derivative, cross(vertex.lever, derivative));
+}
+
+// Neighbours in a ring: previous, apex, next.
+Derivative differentiate(Vertex previous, Vertex apex, Vertex next) {
+  vec3 toNext = between(apex.position, next.position);
+  vec3 toPrevious = between(apex.position, previous.position);
+  CornerDerivative c =
+      differentiateCorner(toNext, toPrevious, 0.5 * dot(toNext, toNext) + kNoLength,
+                          0.5 * dot(toPrevious, toPrevious) + kNoLength);
+  vec3 ofNext = c.h * toPrevious - c.s * toNext;
+  vec3 ofPrevious = c.h * toNext - c.s * toPrevious;
+  return Derivative(push.grid.angleWeight / (c.doubleSquare * c.h),
+                    rowOf(-(ofNext + ofPrevious), apex), rowOf(ofNext, next),
+                    rowOf(ofPrevious, previous));
+}
+
+// The ring p, a, d, b in one layer; the corner at d leaves p alone.
+void addLateralFace(float share, int layer) {
+  Vertex atP = vertexAt(p, layer, centreP), atA = vertexAt(a, layer, centreA);
+  Vertex atB = vertexAt(b, layer, centreB), atD = vertexAt(d, layer, centreD);
+  Derivative c = differentiate(atB, atP, atA);
+  addOuter(withP, share * c.weight, c.apex, c.apex);
+  addOuter(withA, share * c.weight, c.apex, c.next);
+  addOuter(withB, share * c.weight, c.apex, c.previous);
+  c = differentiate(atP, atA, atD);
+  addOuter(withP, share * c.weight, c.previous, c.previous);
+  addOuter(withA, share * c.weight, c.previous, c.apex);
+  addOuter(withD, share * c.weight, c.previous, c.next);
+  c = differentiate(atD, atB, atP);
+  addOuter(withP, share * c.weight, c.next, c.next);
+  addOuter(withB, share * c.weight, c.next, c.apex);
+  addOuter(withD, share * c.weight, c.next, c.previous);
+}
+
+void addWithinColumns(float weight, Motion rowP, Motion rowA) {
+  addOuter(withP, weight, rowP, rowP);
+  addOuter(withA, weight, rowP, rowA);
+}
+
+// The ring p, a, then a, p in the layer above.
+void addVerticalFace(float share, int layer) {
+  Vertex atP = vertexAt(p, layer, centreP), aboveP = vertexAt(p, layer + 1, centreP);
+  Vertex atA = vertexAt(a, layer, centreA), aboveA = vertexAt(a, layer + 1, centreA);
+  Derivative c = differentiate(aboveP, atP, atA);
+  addWithinColumns(share * c.weight, sum(c.apex, c.previous), c.next);
+  c = differentiate(atP, atA, aboveA);
+  addWithinColumns(share * c.weight, c.previous, sum(c.apex, c.next));
+  c = differentiate(atA, aboveA, aboveP);
+  addWithinColumns(share * c.weight, c.next, sum(c.apex, c.previous));
+  c = differentiate(aboveA, aboveP, atP);
+  addWithinColumns(share * c.weight, sum(c.apex, c.next), c.previous);
+}
+
+// 2 c (n n^T + k (I - n n^T)), k = max(0, 1 - L / l), and the damping.
+mat3 strutHessian(vec3 arm, int from, int axis) {
+  float rest = float(imageLoad(restLengths, from)[axis]) * push.grid.restResolution;
+  float stiffness = imageLoad(stiffnesses, from)[axis];
+  float square = dot(arm, arm) + kNoLength;
+  float stretch = max(0.0, 1.0 - rest * inversesqrt(square));
+  float along = 2.0 * stiffness * (1.0 - stretch) / square;
+  return outerProduct(along * arm, arm) + mat3(2.0 * stiffness * stretch + push.damping);
+}
+
+// Between p and a in one layer.
+void addLateralStrut(float share, int layer, bool leavesP, int axis) {
+  Vertex atP = vertexAt(p, layer, centreP), atA = vertexAt(a, layer, centreA);
+  mat3 hessian = strutHessian(between(atP.position, atA.position),
+                              vertexIndex(leavesP ? p : a, layer), axis);
+  Block row = withLeverOfRow(atP.lever, Block(hessian, mat3(0), mat3(0), mat3(0)));
+  add(withP, share, withLever(row, atP.lever));
+  add(withA, -share, withLever(row, atA.lever));
+}
+
+// A vertical strut turns with its column.
+void addVerticalStrut(inout Block block, int layer) {
+  vec3 arm = between(positionAt(p, layer), positionAt(p, layer + 1));
+  mat3 hessian = strutHessian(arm, vertexIndex(p, layer), 2);
+  block.ww += crossed(arm, crossedFromRight(hessian, arm));
+}
+
+void addFacesAround(inout Stencil stencil, int layer, int quarter) {
+  ivec2 toA = ivec2(int(quarter == 0) - int(quarter == 2), int(quarter == 1) - int(quarter == 3));
+  a = p + toA;
+  b = p + ivec2(-toA.y, toA.x);
+  d = a + b - p;
+  centreA = centreOf(a);
+  centreB = centreOf(b);
+  centreD = centreOf(d);
+  withP = withA = withB = withD = kNoBlock;
+  float share = isColumn(a) ? 1.0 : 0.0;
+  addLateralStrut(share, layer, quarter < 2, quarter & 1);
+  addLateralFace(isColumn(d) ? 1.0 : 0.0, layer);
+  if (layer + 1 < push.grid.layers) {
+    addVerticalFace(share, layer);
+  }
+  add(stencil.self, 1.0, withP);
+  add(stencil.east, float(quarter == 0), withA);
+  add(stencil.east, float(quarter == 3), withB);
+  add(stencil.north, float(quarter == 1), withA);
+  add(stencil.north, float(quarter == 0), withB);
+  add(stencil.northEast, float(quarter == 0), withD);
+  add(stencil.northWest, float(quarter == 1), withD);
+}
+
+void main() {
+  p = ivec2(gl_GlobalInvocationID.xy);
+  if (!isColumn(p)) {
+    return;
+  }
+  centreP = centreOf(p);
+  Stencil stencil = kNoStencil;
+  for (int layer = 0; layer < push.grid.layers; ++layer) {
+    for (int quarter = 0; quarter < 4; ++quarter) {
+      addFacesAround(stencil, layer, quarter);
+    }
+    if (layer + 1 < push.grid.layers) {
+      addVerticalStrut(stencil.self, layer);
+    }
+  }
+  storeStencil(vertexIndex(p, 0), stencil);
+}

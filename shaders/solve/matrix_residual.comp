@@ -1,0 +1,17 @@
+// r = b - A x on a coarse level.
+#version 450
+#extension GL_GOOGLE_include_directive : require
+#extension GL_EXT_control_flow_attributes : require
+#include "shared/multigrid_types.h"
+#include "solve/matrix_product.glsl"
+
+layout(local_size_x_id = 0) in;
+
+void main() {
+  matrixSize = ivec2(push.pointsU, push.pointsV);
+  ivec2 p = ivec2(gl_GlobalInvocationID.xy);
+  Motion r = residualAt(p);
+  if (isPoint(p)) {
+    STORE_MOTION(result, pointIndex(p), r);
+  }
+}

@@ -1,0 +1,29 @@
+// Adds the columns' motions to those of the vertices.
+#version 450
+#extension GL_GOOGLE_include_directive : require
+#extension GL_EXT_control_flow_attributes : require
+#include "shared/multigrid_types.h"
+#include "solve/block.glsl"
+#include "solve/columns_of_points.glsl"
+
+layout(local_size_x_id = 0) in;
+
+layout(binding = kBindingCoarseVector, rgba32f) readonly uniform imageBuffer motions;
+// One buffer twice: loads of texels are the faster ones.
+layout(binding = kBindingFineVector, rgba32f) readonly uniform imageBuffer vertexMotions;
+layout(std430, binding = kBindingFineResult) writeonly buffer Result { vec4 result[]; };
+
+void main() {
+  ivec2 column = ivec2(gl_GlobalInvocationID.xy);
+  if (column.x >= push.grid.verticesU) {
+    return;
+  }
+  ivec4 centre = centreOf(column);
+  Motion motion = MOTION_AT(motions, vertexIndex(column, 0));
+  for (int layer = 0; layer < push.grid.layers; ++layer) {
+    int vertex = vertexIndex(column, layer);
+    vec3 lever = between(centre, positionAt(column, layer));
+    vec3 moved = imageLoad(vertexMotions, vertex).xyz + motion.t + cross(motion.w, lever);
+    result[vertex] = vec4(moved, 0.0);
+  }
+}

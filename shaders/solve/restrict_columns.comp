@@ -1,0 +1,27 @@
+// Force and torque on a column, from the forces on its vertices.
+#version 450
+#extension GL_GOOGLE_include_directive : require
+#extension GL_EXT_control_flow_attributes : require
+#include "shared/multigrid_types.h"
+#include "solve/block.glsl"
+#include "solve/columns_of_points.glsl"
+
+layout(local_size_x_id = 0) in;
+
+layout(binding = kBindingFineVector, rgba32f) readonly uniform imageBuffer forces;
+layout(std430, binding = kBindingResult) writeonly buffer Result { vec4 result[]; };
+
+void main() {
+  ivec2 column = ivec2(gl_GlobalInvocationID.xy);
+  if (column.x >= push.grid.verticesU) {
+    return;
+  }
+  ivec4 centre = centreOf(column);
+  Motion total = kNoMotion;
+  for (int layer = 0; layer < push.grid.layers; ++layer) {
+    vec3 force = imageLoad(forces, vertexIndex(column, layer)).xyz;
+    total.t += force;
+    total.w += cross(between(centre, positionAt(column, layer)), force);
+  }
+  STORE_MOTION(result, vertexIndex(column, 0), total);
+}

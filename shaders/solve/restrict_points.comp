@@ -1,0 +1,38 @@
+// The transpose of prolong_points.comp: a coarse point gets the forces and torques of the fine points
+// around it.
+#version 450
+#extension GL_GOOGLE_include_directive : require
+#extension GL_EXT_control_flow_attributes : require
+#include "shared/multigrid_types.h"
+#include "solve/block.glsl"
+#include "solve/transfer.glsl"
+
+layout(local_size_x_id = 0) in;
+
+layout(binding = kBindingFineVector, rgba32f) readonly uniform imageBuffer fineVector;
+layout(binding = kBindingCoarseCentres, rgba32i) readonly uniform iimageBuffer coarseCentres;
+layout(binding = kBindingLevers, rgba32i) readonly uniform iimageBuffer levers;
+layout(std430, binding = kBindingResult) writeonly buffer Result { vec4 result[]; };
+
+void main() {
+  findSizes();
+  ivec2 coarse = ivec2(gl_GlobalInvocationID.xy);
+  if (coarse.x >= coarseSize.x) {
+    return;
+  }
+  int point = nearestIndex(coarse, coarseSize);
+  ivec4 centre = imageLoad(coarseCentres, point);
+  Motion restricted = kNoMotion;
+  [[unroll]] for (int v = -1; v <= 1; ++v) {
+    [[unroll]] for (int u = -1; u <= 1; ++u) {
+      ivec2 fine = finePointOf(coarse) + ivec2(u, v);
+      int fineIndex = nearestIndex(fine, fineSize);
+      Motion r = MOTION_AT(fineVector, fineIndex);
+      vec3 lever = leverBetween(centre, imageLoad(levers, fineIndex));
+      float share = shareOf(fine, coarse);
+      restricted.t += share * r.t;
+      restricted.w += share * (r.w + cross(lever, r.t));
+    }
+  }
+  STORE_MOTION(result, point, restricted);
+}
