@@ -10,7 +10,10 @@ namespace {
 using Eigen::Matrix3Xd;
 
 constexpr int kCoarsestNodes = 10;
-constexpr double kThicknessPerLevel = 1.4142135623730951;
+// A coarse strut that should turn by more has no shape in common with those that it stands for.
+constexpr double kLargestTurn = 1;
+// From the finest to the next coarser grid; then by 2, which keeps the thickness per spacing.
+constexpr double kFirstThickness = 1.4142135623730951;
 // Rest lengths of the layers of one strut may differ by this share of their mean.
 constexpr double kLargestLayerDifference = 0.35;
 
@@ -219,6 +222,24 @@ double largestLayerDifference(const GridShape& shape, const std::vector<double>&
   return largest;
 }
 
+/// The largest angle, in rad, that rest lengths make a strut turn by: the difference between the top
+/// and the bottom layer's over their distance.
+double largestTurn(const StrutGrid& grid) {
+  const GridShape& shape = grid.shape;
+  const int top = (shape.layers - 1) * shape.layerVertexCount();
+  double largest = 0;
+  for (int column = 0; column < shape.layerVertexCount() && top > 0; ++column) {
+    double distance = 0;
+    for (int k = 0; k + 1 < shape.layers; ++k) {
+      distance += grid.rest.w[k * shape.layerVertexCount() + column];
+    }
+    for (const auto* rest : {&grid.rest.u, &grid.rest.v}) {
+      largest = std::max(largest, std::abs((*rest)[top + column] - (*rest)[column]) / distance);
+    }
+  }
+  return largest;
+}
+
 StrutGrid coarsened(const StrutGrid& fine, const GridShape& shape) {
   using enum LineSums::Direction;
   StrutGrid coarse{shape, 0, {}, StrutValues(shape), StrutValues(shape), fine.angleWeight};
@@ -233,23 +254,21 @@ StrutGrid coarsened(const StrutGrid& fine, const GridShape& shape) {
   return coarse;
 }
 
-/// The problem of the same target on `shape`; wantedThickness is lowered to what the rest lengths
-/// allow.
-NestedGrid nested(const StrutGrid& finest, const GridShape& shape, double wantedThickness) {
-  NestedGrid coarse{coarsened(finest, shape), wantedThickness};
-  StrutGrid& grid = coarse.grid;
+/// Moves the layers apart by wantedThickness, or as far as the rest lengths allow.
+NestedGrid thickened(StrutGrid grid, const StrutGrid& finest, double wantedThickness) {
+  const GridShape& shape = grid.shape;
   const double difference = std::max(largestLayerDifference(shape, grid.rest.u),
                                      largestLayerDifference(shape, grid.rest.v));
-  if (difference * coarse.thickness > kLargestLayerDifference) {
-    coarse.thickness = std::max(kLargestLayerDifference / difference, 1e-3);
-  }
-  spreadLayers(shape, grid.rest.u, coarse.thickness);
-  spreadLayers(shape, grid.rest.v, coarse.thickness);
+  const double thickness = difference * wantedThickness > kLargestLayerDifference
+                               ? std::max(kLargestLayerDifference / difference, 1e-3)
+                               : wantedThickness;
+  spreadLayers(shape, grid.rest.u, thickness);
+  spreadLayers(shape, grid.rest.v, thickness);
   for (double& length : grid.rest.w) {
-    length *= coarse.thickness;
+    length *= thickness;
   }
-  grid.positions = resampleLayers(finest.shape, finest.positions, shape, coarse.thickness);
-  return coarse;
+  grid.positions = resampleLayers(finest.shape, finest.positions, shape, thickness);
+  return {std::move(grid), thickness};
 }
 
 int halved(int vertices) { return std::max(1, vertices / 2) + 1; }
@@ -259,12 +278,14 @@ int halved(int vertices) { return std::max(1, vertices / 2) + 1; }
 std::vector<NestedGrid> nestGrids(const StrutGrid& finest) {
   std::vector<NestedGrid> grids{{finest, 1}};
   GridShape shape = finest.shape;
-  double thickness = 1;
   while (std::max(shape.verticesU, shape.verticesV) - 1 > kCoarsestNodes) {
     shape = {halved(shape.verticesU), halved(shape.verticesV), shape.layers};
-    thickness *= kThicknessPerLevel;
-    grids.push_back(nested(finest, shape, thickness));
-    thickness = grids.back().thickness;
+    StrutGrid coarse = coarsened(finest, shape);
+    if (largestTurn(coarse) > kLargestTurn) {
+      break;
+    }
+    const double factor = grids.size() == 1 ? kFirstThickness : 2;
+    grids.push_back(thickened(std::move(coarse), finest, factor * grids.back().thickness));
   }
   std::reverse(grids.begin(), grids.end());
   return grids;

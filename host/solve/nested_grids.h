@@ -12,9 +12,9 @@ struct NestedGrid {
 };
 
 /// Coarser and coarser problems, the coarsest first, the grid itself last. From one to the next
-/// coarser the nodes halve (rounded up) down to about ten on the longer edge, and the layers move
-/// apart by sqrt(2), as far as the designed shrink allows: a thinner sheet turns further per node than
-/// a coarse grid can follow.
+/// coarser the nodes halve (rounded up), down to ten on the longer edge or to where a strut would have
+/// to turn by more than 1 rad; the layers move apart by 2 (at first by sqrt(2)), as far as the rest
+/// lengths allow: grids that are thin for their spacing are the hard ones.
 /// A coarse strut rests at the sum of the struts that it stands for, interpolated between lines;
 /// where layers differ, the difference grows with their distance, which keeps the curvature.
 std::vector<NestedGrid> nestGrids(const StrutGrid& finest);

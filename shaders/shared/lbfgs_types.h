@@ -42,7 +42,7 @@ struct DotsPush {
 
 struct StepPush {
   uint count;
-  float length;      // Share of the direction that is gone, downhill.
+  float share;       // Share of the direction that is gone, downhill.
   float resolution;  // Spacings per step of the fixed-point positions.
 };
 

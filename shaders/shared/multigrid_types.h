@@ -3,7 +3,7 @@
 // Points are numbered j pointsU + i. Level 1 has one point per column of vertices.
 #ifndef MORPHGRID_MULTIGRID_TYPES_H
 #define MORPHGRID_MULTIGRID_TYPES_H
-#include "shared/solver_types.h"
+#include "shared/hessian_types.h"
 #ifdef __cplusplus
 namespace morphgrid {
 #define CONSTANT constexpr
@@ -31,8 +31,6 @@ CONSTANT uint kBindingMatrix = 16u;        // 15 texels, of 5 blocks a point
 CONSTANT uint kBindingCoarseMatrix = 32u;  // 15 buffers
 CONSTANT uint kBindingInverse = 48u;       // 3, texels or buffers: D^-1, a block a point
 CONSTANT uint kBindingIterate = 52u;       // texels, a motion: vec4 t, vec4 w
-CONSTANT uint kBindingRightSide = 53u;     // texels, a motion
-CONSTANT uint kBindingResult = 54u;        // buffer, a motion
 CONSTANT uint kBindingFineVector = 55u;    // texels, of the finer level: a motion, or vec4 a vertex
 CONSTANT uint kBindingFineResult = 56u;    // buffer
 CONSTANT uint kBindingCoarseVector = 57u;  // texels, a motion

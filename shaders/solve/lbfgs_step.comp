@@ -14,7 +14,7 @@ layout(push_constant) uniform Push { StepPush push; };
 void main() {
   uint n = gl_GlobalInvocationID.x;
   if (n < push.count) {
-    vec3 steps = -push.length / push.resolution * imageLoad(direction, int(n)).xyz;
+    vec3 steps = -push.share / push.resolution * imageLoad(direction, int(n)).xyz;
     trial[n] = moved(imageLoad(positions, int(n)), steps);
   }
 }
