@@ -22,9 +22,9 @@ Matrix6d blockAt(const BlockField& field, int point) {
   for (int n = 0; n < int(kBlockParts * kPartTexels); ++n) {
     const int column = n % 3;
     const int quarter = n / 3;
-    const vec4 texel =
-        field.part(static_cast<std::size_t>(quarter)).buffer().mapped<vec4>()[std::size_t(
-            3 * point + column)];
+    const vec4 texel = field.part(static_cast<std::size_t>(quarter))
+                           .buffer()
+                           .mapped<vec4>()[std::size_t(3 * point + column)];
     const int firstRow = quarter == 2 ? 3 : 0;
     const int firstColumn = quarter == 1 ? 3 : 0;
     for (int row = 0; row < 3; ++row) {
@@ -81,9 +81,8 @@ CoarseLevels::CoarseLevels(const Device& device, const DeviceGrid& grid, const B
   }
   const PointLevel& coarsest = *levels_.back();
   const auto halfMotions = static_cast<std::size_t>(2 * coarsest.points().count());
-  coarsestInverse_ = std::make_unique<const TexelBuffer>(device, 3 * halfMotions * halfMotions,
-                                                         vk::Format::eR32G32B32A32Sfloat,
-                                                         MemoryKind::device);
+  coarsestInverse_ = std::make_unique<const TexelBuffer>(
+      device, 3 * halfMotions * halfMotions, vk::Format::eR32G32B32A32Sfloat, MemoryKind::device);
   const std::vector<KernelResource> resources{
       {kBindingCoarsestInverse, &coarsestInverse_->texels()},
       {kBindingRightSide, &coarsest.rightSide().texels()},

@@ -30,13 +30,13 @@ ColumnTransfer::ColumnTransfer(const Device& device, const DeviceGrid& grid,
       correctionTexels_(floatTexels(device, correction)),
       gridTexels_(device, grid),
       matrix_(kernel(column_matrix_comp_spirv, matrixResources(columns, gridTexels_))),
-      restriction_(kernel(restrict_columns_comp_spirv,
-                          {{kBindingFineVector, &residualTexels_},
-                           {kBindingResult, &columns.rightSide().buffer()}})),
-      prolongation_(kernel(prolong_columns_comp_spirv,
-                           {{kBindingCoarseVector, &columns.result().texels()},
-                            {kBindingFineVector, &correctionTexels_},
-                            {kBindingFineResult, &correction}})) {}
+      restriction_(
+          kernel(restrict_columns_comp_spirv, {{kBindingFineVector, &residualTexels_},
+                                               {kBindingResult, &columns.rightSide().buffer()}})),
+      prolongation_(
+          kernel(prolong_columns_comp_spirv, {{kBindingCoarseVector, &columns.result().texels()},
+                                              {kBindingFineVector, &correctionTexels_},
+                                              {kBindingFineResult, &correction}})) {}
 
 ComputeKernel ColumnTransfer::kernel(std::span<const std::uint32_t> spirv,
                                      std::vector<KernelResource> resources) const {

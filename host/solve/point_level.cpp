@@ -53,8 +53,7 @@ BlockField::BlockField(const Device& device, int pointCount, MemoryKind kind) {
   }
 }
 
-void BlockField::appendTexels(std::vector<KernelResource>& resources,
-                              std::uint32_t binding) const {
+void BlockField::appendTexels(std::vector<KernelResource>& resources, std::uint32_t binding) const {
   for (const TexelBuffer& part : parts_) {
     resources.push_back({binding++, &part.texels()});
   }

@@ -3,8 +3,8 @@
 namespace morphgrid {
 namespace {
 
-ComputeKernel productKernel(PointKernels& kernels, const PointLevel& fine,
-                            const PointLevel& coarse, const TexelBuffer& levers) {
+ComputeKernel productKernel(PointKernels& kernels, const PointLevel& fine, const PointLevel& coarse,
+                            const TexelBuffer& levers) {
   std::vector<KernelResource> resources = fine.matrixTexels();
   const std::vector<KernelResource> written = coarse.matrixBuffers();
   resources.insert(resources.end(), written.begin(), written.end());
@@ -37,8 +37,7 @@ PointTransfer::PointTransfer(const Device& device, PointKernels& kernels, const 
                                                {kBindingCoarseCentres, &coarse.centres().texels()},
                                                {kBindingLevers, &levers_.texels()},
                                                {kBindingFineVector, &fine.iterate().texels()},
-                                               {kBindingFineResult, &fine.iterate().buffer()}})) {
-}
+                                               {kBindingFineResult, &fine.iterate().buffer()}})) {}
 
 TransferPush PointTransfer::push() const {
   return {fine_.points().u, fine_.points().v, coarse_.points().u, coarse_.points().v,

@@ -1,6 +1,6 @@
-// Compiles as GLSL and as C++: what the host and the kernels of the coarse levels of multigrid agree
-// on. An unknown of a coarse level is a point's rigid motion (t, w): u(x) = t + w x (x - centre).
-// Points are numbered j pointsU + i. Level 1 has one point per column of vertices.
+// Compiles as GLSL and as C++: what the host and the kernels of the coarse levels of multigrid
+// agree on. An unknown of a coarse level is a point's rigid motion (t, w): u(x) = t + w x (x -
+// centre). Points are numbered j pointsU + i. Level 1 has one point per column of vertices.
 #ifndef MORPHGRID_MULTIGRID_TYPES_H
 #define MORPHGRID_MULTIGRID_TYPES_H
 #include "shared/hessian_types.h"
@@ -21,8 +21,8 @@ CONSTANT uint kStencilSize = 5u;
 
 // A block is 9 texels in 3 buffers, so that none exceeds a device's limit: texel n of them is texel
 // 3 p + n % 3 of buffer n / 3, p the point: with the block's quarters of 3 x 3, column n % 3 of
-// (tt, tw, wt)[n / 3] in xyz, and ww[n / 3][n % 3] in w. Point by point, as 45 streams are more than
-// a processor fetches ahead.
+// (tt, tw, wt)[n / 3] in xyz, and ww[n / 3][n % 3] in w. Point by point, as 45 streams are more
+// than a processor fetches ahead.
 CONSTANT uint kBlockParts = 3u;
 CONSTANT uint kPartTexels = 3u;
 
@@ -35,9 +35,9 @@ CONSTANT uint kBindingFineVector = 55u;    // texels, of the finer level: a moti
 CONSTANT uint kBindingFineResult = 56u;    // buffer
 CONSTANT uint kBindingCoarseVector = 57u;  // texels, a motion
 CONSTANT uint kBindingCentres = 58u;       // texels, ivec4 a point: centres as positions
-CONSTANT uint kBindingCoarseCentres = 59u;     // texels or buffer
-CONSTANT uint kBindingLevers = 60u;            // texels or buffer, ivec4 a point: see levers.comp
-CONSTANT uint kBindingCoarsestInverse = 61u;   // texels, see coarsest_solve.comp
+CONSTANT uint kBindingCoarseCentres = 59u;    // texels or buffer
+CONSTANT uint kBindingLevers = 60u;           // texels or buffer, ivec4 a point: see levers.comp
+CONSTANT uint kBindingCoarsestInverse = 61u;  // texels, see coarsest_solve.comp
 
 struct SmoothingPush {
   int pointsU;

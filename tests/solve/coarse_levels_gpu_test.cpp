@@ -56,6 +56,15 @@ VectorXd randomVector(Index size, unsigned seed) {
   return VectorXd::NullaryExpr(size, [&] { return component(random); });
 }
 
+/// Three numbers a vertex; a single layer is pulled in its plane only.
+VectorXd randomForces(const GridShape& shape, unsigned seed) {
+  VectorXd forces = randomVector(3 * shape.vertexCount(), seed);
+  if (shape.layers == 1) {
+    forces.reshaped(3, shape.vertexCount()).row(2).setZero();
+  }
+  return forces;
+}
+
 double relativeDifference(const MatrixXd& a, const MatrixXd& b) {
   return (a - b).cwiseAbs().maxCoeff() / std::max(b.cwiseAbs().maxCoeff(), 1e-30);
 }
@@ -93,8 +102,7 @@ struct Levels {
   Levels(const Device& onDevice, StrutGrid ofGrid, double damping = 0)
       : device(onDevice), grid(std::move(ofGrid)) {
     coarse.build(damping);
-    prolongations.push_back(
-        denseColumnProlongation(grid.shape, grid.positions / grid.spacing));
+    prolongations.push_back(denseColumnProlongation(grid.shape, grid.positions / grid.spacing));
     centres.emplace_back((grid.positions / grid.spacing)
                              .middleCols(grid.shape.layers / 2 * grid.shape.layerVertexCount(),
                                          grid.shape.layerVertexCount()));
@@ -151,9 +159,9 @@ TEST_P(CoarseLevelsTest, ColumnMatrixIsTheGalerkinProduct) {
     const MatrixXd hessian =
         denseHessian(levels.grid) + damping * denseLaplacian(levels.grid.shape);
     const MatrixXd& p = levels.prolongations.front();
-    EXPECT_LT(relativeDifference(downloadMatrix(device_, levels.level(0)),
-                                 p.transpose() * hessian * p),
-              kRounding);
+    EXPECT_LT(
+        relativeDifference(downloadMatrix(device_, levels.level(0)), p.transpose() * hessian * p),
+        kRounding);
   }
 }
 
@@ -161,8 +169,7 @@ TEST_P(CoarseLevelsTest, CoarserMatricesAreGalerkinProducts) {
   const Levels levels(device_, unevenGrid(GetParam()));
   for (std::size_t n = 1; n < levels.coarse.levels().size(); ++n) {
     const MatrixXd& p = levels.prolongations[n];
-    const MatrixXd expected =
-        p.transpose() * downloadMatrix(device_, levels.level(n - 1)) * p;
+    const MatrixXd expected = p.transpose() * downloadMatrix(device_, levels.level(n - 1)) * p;
     EXPECT_LT(relativeDifference(downloadMatrix(device_, levels.level(n)), expected), kRounding)
         << "level " << n;
   }
@@ -204,9 +211,9 @@ TEST_P(CoarseLevelsTest, RestrictionIsTheTransposeOfProlongation) {
       transfers[n]->recordRestriction(stream);
       transfers[n]->recordProlongation(stream);
     });
-    EXPECT_LT(relativeDifference(downloadMotions(device_, coarse.rightSide()),
-                                 p.transpose() * ofFine),
-              kRounding);
+    EXPECT_LT(
+        relativeDifference(downloadMotions(device_, coarse.rightSide()), p.transpose() * ofFine),
+        kRounding);
     EXPECT_LT(relativeDifference(downloadMotions(device_, fine.iterate()), ofFine + p * ofCoarse),
               kRounding);
   }
@@ -227,8 +234,7 @@ TEST_P(CoarseLevelsTest, ColumnRestrictionIsTheTransposeOfProlongation) {
   EXPECT_LT(relativeDifference(downloadMotions(device_, levels.level(0).rightSide()),
                                p.transpose() * ofVertices),
             kRounding);
-  EXPECT_LT(relativeDifference(levels.downloadCorrection(), ofVertices + p * ofColumns),
-            kRounding);
+  EXPECT_LT(relativeDifference(levels.downloadCorrection(), ofVertices + p * ofColumns), kRounding);
 }
 
 TEST_P(CoarseLevelsTest, ProlongationReproducesRigidMotions) {
@@ -239,15 +245,15 @@ TEST_P(CoarseLevelsTest, ProlongationReproducesRigidMotions) {
     uploadMotions(device_, levels.level(n + 1).result(),
                   rigidMotion(levels.centres[n + 1], motion));
     uploadMotions(device_, levels.level(n).iterate(), VectorXd::Zero(expected.size()));
-    levels.run([&](CommandStream& stream) {
-      levels.coarse.transfers()[n]->recordProlongation(stream);
-    });
+    levels.run(
+        [&](CommandStream& stream) { levels.coarse.transfers()[n]->recordProlongation(stream); });
     EXPECT_LT(relativeDifference(downloadMotions(device_, levels.level(n).iterate()), expected),
               1e-6);
   }
 }
 
-// D may be singular: a column in one layer does not turn, nothing turns a straight one about itself.
+// D may be singular: a column in one layer does not turn, nothing turns a straight one about
+// itself.
 TEST_P(CoarseLevelsTest, DiagonalBlocksAreInverted) {
   const Levels levels(device_, unevenGrid(GetParam()));
   for (std::size_t n = 0; n < levels.coarse.transfers().size(); ++n) {
@@ -257,7 +263,8 @@ TEST_P(CoarseLevelsTest, DiagonalBlocksAreInverted) {
     for (Index p = 0; p < matrix.rows(); p += 6) {
       const MatrixXd block = matrix.block<6, 6>(p, p);
       EXPECT_LT(relativeDifference(block * inverse.block<6, 6>(p, p) * block, block), 1e-4)
-          << block << "\n\n" << inverse.block<6, 6>(p, p);
+          << block << "\n\n"
+          << inverse.block<6, 6>(p, p);
     }
   }
 }
@@ -314,8 +321,8 @@ TEST_P(CoarseLevelsTest, CycleIsSymmetricAndThatOfDenseMatrices) {
   const Levels levels(device_, unevenGrid(GetParam()));
   const MatrixXd& p = levels.prolongations.front();
   const MatrixXd expected = p * denseCycle(levels, 0) * p.transpose();
-  const VectorXd a = randomVector(p.rows(), 1);
-  const VectorXd b = randomVector(p.rows(), 2);
+  const VectorXd a = randomForces(GetParam(), 1);
+  const VectorXd b = randomForces(GetParam(), 2);
   const VectorXd zero = VectorXd::Zero(p.rows());
   const VectorXd cycleOfA = levels.cycle(a, zero);
   const VectorXd cycleOfB = levels.cycle(b, zero);
@@ -334,9 +341,8 @@ TEST_P(CoarseLevelsTest, CycleAddsToTheCorrectionAndRepeatsItsBits) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Shapes, CoarseLevelsTest,
-                         testing::Values(GridShape{2, 2, 1}, GridShape{3, 2, 2},
-                                         GridShape{5, 4, 3}, GridShape{6, 6, 1},
-                                         GridShape{7, 3, 4}, GridShape{9, 8, 3},
+                         testing::Values(GridShape{2, 2, 1}, GridShape{3, 2, 2}, GridShape{5, 4, 3},
+                                         GridShape{6, 6, 1}, GridShape{7, 3, 4}, GridShape{9, 8, 3},
                                          GridShape{21, 2, 2}, GridShape{10, 7, 1},
                                          GridShape{14, 9, 2}, GridShape{9, 17, 3},
                                          GridShape{8, 6, 6}),

@@ -44,8 +44,8 @@ MatrixXd interpolationShares(PointGrid points) {
   MatrixXd shares(points.count(), u.cols() * v.cols());
   for (Index row = 0; row < shares.rows(); ++row) {
     for (Index column = 0; column < shares.cols(); ++column) {
-      shares(row, column) = u(row % points.u, column % u.cols()) *
-                            v(row / points.u, column / u.cols());
+      shares(row, column) =
+          u(row % points.u, column % u.cols()) * v(row / points.u, column / u.cols());
     }
   }
   return shares;
@@ -121,8 +121,7 @@ Matrix3Xd keptCentres(PointGrid points, const Matrix3Xd& centres) {
 VectorXd rigidMotion(const Matrix3Xd& centres, const Eigen::Matrix<double, 6, 1>& motion) {
   VectorXd motions(6 * centres.cols());
   for (Index n = 0; n < centres.cols(); ++n) {
-    motions.segment<3>(6 * n) =
-        motion.head<3>() + motion.tail<3>().cross(centres.col(n));
+    motions.segment<3>(6 * n) = motion.head<3>() + motion.tail<3>().cross(centres.col(n));
     motions.segment<3>(6 * n + 3) = motion.tail<3>();
   }
   return motions;

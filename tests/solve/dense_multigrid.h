@@ -27,7 +27,6 @@ Eigen::MatrixXd downloadInverse(const Device& device, const PointLevel& level);
 
 /// Six numbers a point.
 Eigen::VectorXd downloadMotions(const Device& device, const TexelBuffer& motions);
-void uploadMotions(const Device& device, const TexelBuffer& motions,
-                   const Eigen::VectorXd& values);
+void uploadMotions(const Device& device, const TexelBuffer& motions, const Eigen::VectorXd& values);
 
 }  // namespace morphgrid
