@@ -43,7 +43,17 @@ SceneDesign designFromMesh(const MeshTarget& target, const DesignRequest& reques
   return designed;
 }
 
-const char* nameOf(Method method) { return method == Method::jacobi ? "jacobi" : "reference"; }
+const char* nameOf(Method method) {
+  switch (method) {
+    case Method::multigrid:
+      return "multigrid";
+    case Method::jacobi:
+      return "jacobi";
+    case Method::reference:
+      break;
+  }
+  return "reference";
+}
 
 const char* nameOf(Scaling scaling) {
   return scaling == Scaling::normalised ? "normalised" : "shapeop";

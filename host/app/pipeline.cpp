@@ -17,6 +17,7 @@
 #include "export/vtu.h"
 #include "report/report_files.h"
 #include "solve/jacobi_solver.h"
+#include "solve/multigrid_solver.h"
 #include "solve/reference_solver.h"
 
 namespace morphgrid {
@@ -62,7 +63,9 @@ void solve(Stage& stage, const char* name, const Scene& scene, const RunOptions&
   if (!options.quiet) {
     solveOptions.onProgress = [&](const ConvergenceSample& sample) { progress.update(sample); };
   }
-  if (scene.method == Method::jacobi) {
+  if (scene.method == Method::multigrid) {
+    stage.equilibrium = solveMultigrid(*hands.device, stage.grid, *stage.onDevice, solveOptions);
+  } else if (scene.method == Method::jacobi) {
     JacobiSolver solver(*hands.device, stage.grid, *stage.onDevice);
     stage.equilibrium = solver.solve(solveOptions);
   } else {
@@ -115,7 +118,7 @@ void requireSilence(const Device& device) {
 Stagehands summonStagehands(const Scene& scene, const RunOptions& options,
                             const std::filesystem::path& folder) {
   Stagehands hands;
-  if (scene.method == Method::jacobi || scene.pictures.enabled) {
+  if (scene.method != Method::reference || scene.pictures.enabled) {
     hands.device = std::make_unique<Device>(options.device);
   }
   if (scene.pictures.enabled) {
@@ -167,7 +170,7 @@ RunRecord runScene(const Scene& scene, const RunOptions& options) {
   if (hands.pictures && designed.sampling) {
     hands.pictures->drawSampling(scene.mesh->mesh, designed.sampling->hits);
   }
-  record.device = scene.method == Method::jacobi ? hands.device->name() : "CPU, double precision";
+  record.device = scene.method == Method::reference ? "CPU, double precision" : hands.device->name();
 
   Stage stage = runInPlane(scene, options, designed.design, hands);
   record.inPlane = stage.equilibrium;

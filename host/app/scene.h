@@ -14,7 +14,7 @@
 
 namespace morphgrid {
 
-enum class Method { jacobi, reference };
+enum class Method { multigrid, jacobi, reference };
 
 struct PictureChoices {
   bool enabled = true;
@@ -40,7 +40,7 @@ struct Scene {
   DesignRequest design;
   Weights weights;
   Scaling scaling = Scaling::normalised;
-  Method method = Method::jacobi;
+  Method method = Method::multigrid;
   SolveOptions solve;
   PictureChoices pictures;
   FileChoices files;

@@ -18,7 +18,9 @@ SolverSettings readSolverSettings(TomlReader& reader) {
   SolverSettings solver;
   solver.method =
       section
-          .choice<Method>("method", {{"jacobi", Method::jacobi}, {"reference", Method::reference}})
+          .choice<Method>("method", {{"multigrid", Method::multigrid},
+                                 {"jacobi", Method::jacobi},
+                                 {"reference", Method::reference}})
           .value_or(solver.method);
   solver.scaling = section
                        .choice<Scaling>("scaling", {{"normalised", Scaling::normalised},

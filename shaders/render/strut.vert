@@ -3,7 +3,7 @@
 #extension GL_GOOGLE_include_directive : require
 #include "shared/render_types.h"
 #include "shared/solver_types.h"
-#include "solve/arm.glsl"
+#include "solve/edge.glsl"
 
 layout(binding = kBindingPositions) uniform isamplerBuffer positions;
 layout(binding = kBindingRest) uniform isamplerBuffer restLengths;
