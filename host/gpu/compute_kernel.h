@@ -3,7 +3,7 @@
 #include <optional>
 #include <span>
 
-#include "gpu/resource_set.h"
+#include "gpu/kernel_program.h"
 
 namespace morphgrid {
 
@@ -11,7 +11,7 @@ namespace morphgrid {
 /// The resources must outlive it.
 class ComputeKernel {
  public:
-  /// specialization: the values of constant_id 0, 1, ... Throws DeviceError when the device
+  /// spirv: static data. specialization: the values of constant_id 0, 1, ... Throws DeviceError when the device
   /// refuses.
   ComputeKernel(const Device& device, std::span<const std::uint32_t> spirv,
                 const std::vector<KernelResource>& resources, std::uint32_t pushConstantBytes,
@@ -26,13 +26,7 @@ class ComputeKernel {
   vk::DescriptorSet descriptorSet() const { return resources_->handle(); }
 
  private:
-  struct Program {
-    vk::raii::DescriptorSetLayout setLayout = nullptr;
-    vk::raii::PipelineLayout layout = nullptr;
-    vk::raii::Pipeline pipeline = nullptr;
-  };
-
-  std::shared_ptr<const Program> program_;
+  std::shared_ptr<const KernelProgram> program_;
   std::optional<ResourceSet> resources_;
 };
 

@@ -1,5 +1,7 @@
 #include "gpu/device.h"
 
+#include "gpu/kernel_program.h"
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -230,7 +232,8 @@ Device::Device(const DeviceOptions& options)
       hasFloat64_(physical_.getFeatures().shaderFloat64 != VK_FALSE),
       subgroupSize_(subgroupSizeOf(physical_)),
       device_(createDevice(physical_, queueFamily_, hasFloat64_)),
-      queue_(device_, queueFamily_, 0) {}
+      queue_(device_, queueFamily_, 0),
+      programs_(std::make_shared<KernelPrograms>()) {}
 
 std::uint32_t Device::memoryType(std::uint32_t allowedBits, vk::MemoryPropertyFlags wanted) const {
   const auto memory = physical_.getMemoryProperties();

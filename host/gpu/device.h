@@ -7,6 +7,8 @@
 
 namespace morphgrid {
 
+class KernelPrograms;
+
 struct DeviceSummary {
   std::string name;
   std::string type;  ///< "discrete GPU", "CPU", ...
@@ -48,6 +50,9 @@ class Device {
   /// The index of a memory type with these properties; throws DeviceError when there is none.
   std::uint32_t memoryType(std::uint32_t allowedBits, vk::MemoryPropertyFlags wanted) const;
 
+  /// Compiled for this device so far.
+  KernelPrograms& programs() const { return *programs_; }
+
   /// What the validation layers said so far; empty when all is well.
   const std::vector<std::string>& validationMessages() const { return *messages_; }
 
@@ -64,6 +69,7 @@ class Device {
   std::uint32_t subgroupSize_;
   vk::raii::Device device_;
   vk::raii::Queue queue_;
+  std::shared_ptr<KernelPrograms> programs_;
 };
 
 }  // namespace morphgrid

@@ -18,6 +18,8 @@ struct KernelResource {
 struct ResourceSlot {
   std::uint32_t binding;
   vk::DescriptorType type;
+
+  auto operator<=>(const ResourceSlot&) const = default;
 };
 
 std::vector<ResourceSlot> slotsOf(const std::vector<KernelResource>& resources);

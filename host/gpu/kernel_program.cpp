@@ -1,0 +1,52 @@
+#include "gpu/kernel_program.h"
+
+namespace morphgrid {
+namespace {
+
+vk::raii::Pipeline createPipeline(const Device& device, std::span<const std::uint32_t> spirv,
+                                  vk::PipelineLayout layout,
+                                  const std::vector<std::uint32_t>& specialization) {
+  const vk::raii::ShaderModule module(
+      device.handle(), vk::ShaderModuleCreateInfo({}, spirv.size_bytes(), spirv.data()));
+  std::vector<vk::SpecializationMapEntry> entries;
+  for (std::uint32_t n = 0; n < specialization.size(); ++n) {
+    entries.emplace_back(n, static_cast<std::uint32_t>(n * sizeof(std::uint32_t)),
+                         sizeof(std::uint32_t));
+  }
+  const vk::SpecializationInfo constants(static_cast<std::uint32_t>(entries.size()), entries.data(),
+                                         specialization.size() * sizeof(std::uint32_t),
+                                         specialization.data());
+  const vk::PipelineShaderStageCreateInfo stage({}, vk::ShaderStageFlagBits::eCompute, *module,
+                                                "main", &constants);
+  return {device.handle(), nullptr, vk::ComputePipelineCreateInfo({}, stage, layout)};
+}
+
+KernelProgram compile(const Device& device, std::span<const std::uint32_t> spirv,
+                      const std::vector<ResourceSlot>& slots, std::uint32_t pushConstantBytes,
+                      const std::vector<std::uint32_t>& specialization) {
+  KernelProgram program;
+  program.setLayout = createSetLayout(device, slots, vk::ShaderStageFlagBits::eCompute);
+  const vk::PushConstantRange push(vk::ShaderStageFlagBits::eCompute, 0, pushConstantBytes);
+  program.layout = vk::raii::PipelineLayout(
+      device.handle(), vk::PipelineLayoutCreateInfo({}, 1, &*program.setLayout,
+                                                    pushConstantBytes > 0 ? 1 : 0, &push));
+  program.pipeline = createPipeline(device, spirv, *program.layout, specialization);
+  return program;
+}
+
+}  // namespace
+
+std::shared_ptr<const KernelProgram> KernelPrograms::find(
+    const Device& device, std::span<const std::uint32_t> spirv,
+    const std::vector<ResourceSlot>& slots, std::uint32_t pushConstantBytes,
+    const std::vector<std::uint32_t>& specialization) {
+  std::shared_ptr<const KernelProgram>& program =
+      programs_[Key(spirv.data(), slots, specialization)];
+  if (!program) {
+    program = std::make_shared<const KernelProgram>(
+        compile(device, spirv, slots, pushConstantBytes, specialization));
+  }
+  return program;
+}
+
+}  // namespace morphgrid

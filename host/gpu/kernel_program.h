@@ -1,0 +1,35 @@
+#pragma once
+#include <map>
+#include <memory>
+#include <span>
+#include <tuple>
+#include <vector>
+
+#include "gpu/resource_set.h"
+
+namespace morphgrid {
+
+/// A compiled compute shader.
+struct KernelProgram {
+  vk::raii::DescriptorSetLayout setLayout = nullptr;
+  vk::raii::PipelineLayout layout = nullptr;
+  vk::raii::Pipeline pipeline = nullptr;
+};
+
+/// The compute shaders of a device: each is compiled when it is first asked for, which costs more
+/// than a small solve.
+class KernelPrograms {
+ public:
+  /// spirv: static data, known by its address. specialization: the values of constant_id 0, 1, ...
+  std::shared_ptr<const KernelProgram> find(const Device& device,
+                                            std::span<const std::uint32_t> spirv,
+                                            const std::vector<ResourceSlot>& slots,
+                                            std::uint32_t pushConstantBytes,
+                                            const std::vector<std::uint32_t>& specialization);
+
+ private:
+  using Key = std::tuple<const std::uint32_t*, std::vector<ResourceSlot>, std::vector<std::uint32_t>>;
+  std::map<Key, std::shared_ptr<const KernelProgram>> programs_;
+};
+
+}  // namespace morphgrid
