@@ -170,7 +170,8 @@ RunRecord runScene(const Scene& scene, const RunOptions& options) {
   if (hands.pictures && designed.sampling) {
     hands.pictures->drawSampling(scene.mesh->mesh, designed.sampling->hits);
   }
-  record.device = scene.method == Method::reference ? "CPU, double precision" : hands.device->name();
+  record.device =
+      scene.method == Method::reference ? "CPU, double precision" : hands.device->name();
 
   Stage stage = runInPlane(scene, options, designed.design, hands);
   record.inPlane = stage.equilibrium;

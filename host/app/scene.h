@@ -40,7 +40,7 @@ struct Scene {
   DesignRequest design;
   Weights weights;
   Scaling scaling = Scaling::normalised;
-  Method method = Method::multigrid;
+  Method method = Method::jacobi;
   SolveOptions solve;
   PictureChoices pictures;
   FileChoices files;

@@ -16,12 +16,11 @@ Weights readWeights(TomlReader& reader) {
 SolverSettings readSolverSettings(TomlReader& reader) {
   TomlSection section = reader.section("solver");
   SolverSettings solver;
-  solver.method =
-      section
-          .choice<Method>("method", {{"multigrid", Method::multigrid},
-                                 {"jacobi", Method::jacobi},
-                                 {"reference", Method::reference}})
-          .value_or(solver.method);
+  solver.method = section
+                      .choice<Method>("method", {{"multigrid", Method::multigrid},
+                                                 {"jacobi", Method::jacobi},
+                                                 {"reference", Method::reference}})
+                      .value_or(solver.method);
   solver.scaling = section
                        .choice<Scaling>("scaling", {{"normalised", Scaling::normalised},
                                                     {"shapeop", Scaling::shapeop}})

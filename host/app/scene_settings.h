@@ -12,7 +12,7 @@ namespace morphgrid {
 Weights readWeights(TomlReader& reader);
 
 struct SolverSettings {
-  Method method = Method::multigrid;
+  Method method = Method::jacobi;
   Scaling scaling = Scaling::normalised;
   SolveOptions options;
 };

@@ -11,8 +11,8 @@ namespace morphgrid {
 /// The resources must outlive it.
 class ComputeKernel {
  public:
-  /// spirv: static data. specialization: the values of constant_id 0, 1, ... Throws DeviceError when the device
-  /// refuses.
+  /// spirv: static data. specialization: the values of constant_id 0, 1, ... Throws DeviceError
+  /// when the device refuses.
   ComputeKernel(const Device& device, std::span<const std::uint32_t> spirv,
                 const std::vector<KernelResource>& resources, std::uint32_t pushConstantBytes,
                 const std::vector<std::uint32_t>& specialization = {});

@@ -28,7 +28,8 @@ class KernelPrograms {
                                             const std::vector<std::uint32_t>& specialization);
 
  private:
-  using Key = std::tuple<const std::uint32_t*, std::vector<ResourceSlot>, std::vector<std::uint32_t>>;
+  using Key =
+      std::tuple<const std::uint32_t*, std::vector<ResourceSlot>, std::vector<std::uint32_t>>;
   std::map<Key, std::shared_ptr<const KernelProgram>> programs_;
 };
 

@@ -110,19 +110,19 @@ void LbfgsVectors::recordCurrentGradient(CommandStream& stream) const {
 void LbfgsVectors::recordRightSide(CommandStream& stream,
                                    const PairHistory::Weights& weights) const {
   const std::uint32_t groups = reductionGroups(count_);
-  stream.dispatch(kernels_[current_].rightSide,
-                  CombinePush{count_, groups * kVectorInvocations,
-                              {weights[0], weights[1], weights[2]}},
-                  groups);
+  stream.dispatch(
+      kernels_[current_].rightSide,
+      CombinePush{count_, groups * kVectorInvocations, {weights[0], weights[1], weights[2]}},
+      groups);
 }
 
 void LbfgsVectors::recordDirection(CommandStream& stream,
                                    const PairHistory::Weights& weights) const {
   const std::uint32_t groups = reductionGroups(count_);
-  stream.dispatch(combineDirection_,
-                  CombinePush{count_, groups * kVectorInvocations,
-                              {weights[0], weights[1], weights[2]}},
-                  groups);
+  stream.dispatch(
+      combineDirection_,
+      CombinePush{count_, groups * kVectorInvocations, {weights[0], weights[1], weights[2]}},
+      groups);
 }
 
 void LbfgsVectors::recordTrial(CommandStream& stream, double length, int slot) const {

@@ -11,8 +11,8 @@
 namespace morphgrid {
 
 /// The vectors of L-BFGS in the device's memory, and the kernels that work on them. There are two
-/// states, each of positions and gradient: the current one and the one on trial. Lengths in units of
-/// the spacing.
+/// states, each of positions and gradient: the current one and the one on trial. Lengths in units
+/// of the spacing.
 class LbfgsVectors {
  public:
   /// Keeps references. The states' positions are the grid's two buffers.

@@ -35,7 +35,8 @@ class Progress {
   void add(double share, double energy, double residual) {
     cycles_ += share;
     if (!std::isfinite(energy) || !std::isfinite(residual)) {
-      throw DeviceError(fmt::format("the solve left the range of numbers at cycle {:.0f}", cycles_));
+      throw DeviceError(
+          fmt::format("the solve left the range of numbers at cycle {:.0f}", cycles_));
     }
     history_.push_back(
         {static_cast<long>(std::ceil(cycles_)), energy * energyScale_, residual, seconds()});
@@ -80,7 +81,8 @@ Eigen::Matrix3Xd solveCoarse(const Device& device, const StrutGrid& grid, double
   const double scale = residualScale(energy, grid.shape);
   while (!progress.reasonToStop() &&
          descent.predictedDecrease() > kCoarseTolerance * descent.energy() && descent.iterate()) {
-    progress.add(share, descent.energy() * grid.spacing * grid.spacing, descent.gradientNorm() * scale);
+    progress.add(share, descent.energy() * grid.spacing * grid.spacing,
+                 descent.gradientNorm() * scale);
   }
   descent.finish();
   return deviceGrid.downloadPositions();

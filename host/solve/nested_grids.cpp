@@ -63,8 +63,8 @@ Matrix3Xd resample(const Matrix3Xd& points, int fromU, int fromV, int toU, int t
       const Stencil u = cubicStencil(matchingPlace(i, toU, fromU), fromU);
       for (int q = 0; q < v.count; ++q) {
         for (int p = 0; p < u.count; ++p) {
-          result.col(j * toU + i) += u.weights[p] * v.weights[q] *
-                                     points.col((v.first + q) * fromU + u.first + p);
+          result.col(j * toU + i) +=
+              u.weights[p] * v.weights[q] * points.col((v.first + q) * fromU + u.first + p);
         }
       }
     }
@@ -157,8 +157,8 @@ std::vector<double> coarsenLateral(const GridShape& fine, const std::vector<doub
   for (int k = 0; k < coarse.layers; ++k) {
     for (int line = 0; line < lines; ++line) {
       for (int n = 0; n < struts; ++n) {
-        const double sum = sums.between(n * span, (n + 1) * span,
-                                        matchingPlace(line, lines, sums.lines()), k);
+        const double sum =
+            sums.between(n * span, (n + 1) * span, matchingPlace(line, lines, sums.lines()), k);
         const int vertex = alongU ? coarse.index(n, line, k) : coarse.index(line, n, k);
         result[vertex] = mean ? sum / span : sum;
       }
@@ -222,8 +222,8 @@ double largestLayerDifference(const GridShape& shape, const std::vector<double>&
   return largest;
 }
 
-/// The largest angle, in rad, that rest lengths make a strut turn by: the difference between the top
-/// and the bottom layer's over their distance.
+/// The largest angle, in rad, that rest lengths make a strut turn by: the difference between the
+/// top and the bottom layer's over their distance.
 double largestTurn(const StrutGrid& grid) {
   const GridShape& shape = grid.shape;
   const int top = (shape.layers - 1) * shape.layerVertexCount();

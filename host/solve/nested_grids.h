@@ -12,11 +12,11 @@ struct NestedGrid {
 };
 
 /// Coarser and coarser problems, the coarsest first, the grid itself last. From one to the next
-/// coarser the nodes halve (rounded up), down to ten on the longer edge or to where a strut would have
-/// to turn by more than 1 rad; the layers move apart by 2 (at first by sqrt(2)), as far as the rest
-/// lengths allow: grids that are thin for their spacing are the hard ones.
-/// A coarse strut rests at the sum of the struts that it stands for, interpolated between lines;
-/// where layers differ, the difference grows with their distance, which keeps the curvature.
+/// coarser the nodes halve (rounded up), down to ten on the longer edge or to where a strut would
+/// have to turn by more than 1 rad; the layers move apart by 2 (at first by sqrt(2)), as far as the
+/// rest lengths allow: grids that are thin for their spacing are the hard ones. A coarse strut
+/// rests at the sum of the struts that it stands for, interpolated between lines; where layers
+/// differ, the difference grows with their distance, which keeps the curvature.
 std::vector<NestedGrid> nestGrids(const StrutGrid& finest);
 
 /// Positions for the finer grid: the mean of all layers and the layers' offsets from it, in cubic

@@ -36,8 +36,7 @@ PreconditionedDescent::PreconditionedDescent(const Device& device, DeviceGrid& g
       coarse_(device, grid, hessian_.positions(), residual_.buffer(), smoothed_.buffer()),
       firstSmoothing_(hessian_.firstSmoothing(vectors_.rightSide(), smoothed_)),
       computeResidual_(hessian_.residual(smoothed_, vectors_.rightSide(), residual_)),
-      lastSmoothing_(
-          hessian_.smoothing(smoothed_, vectors_.rightSide(), vectors_.correction())),
+      lastSmoothing_(hessian_.smoothing(smoothed_, vectors_.rightSide(), vectors_.correction())),
       stream_(device),
       predictedDecrease_(std::numeric_limits<double>::infinity()) {
   stream_.begin();
@@ -139,8 +138,8 @@ bool PreconditionedDescent::searchLine(double descent) {
 
 bool PreconditionedDescent::modelFails(double decrease) const {
   const int steps = stepsSinceLinearisation_ + 1;
-  return steps >= kMostStepsPerLinearisation ||
-         (steps >= kFewestStepsPerLinearisation && decrease < kModelFailure * 2 * predictedDecrease_);
+  return steps >= kMostStepsPerLinearisation || (steps >= kFewestStepsPerLinearisation &&
+                                                 decrease < kModelFailure * 2 * predictedDecrease_);
 }
 
 void PreconditionedDescent::finish() {

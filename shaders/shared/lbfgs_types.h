@@ -48,9 +48,9 @@ struct StepPush {
 
 // Dot products of what L-BFGS keeps.
 struct PairDots {
-  vec4 gradient;           // s_i . g, and in w z . g
-  vec4 correction;         // y_i . z
-  vec4 changes[kPairs];    // [i]: s_i . y_j
+  vec4 gradient;         // s_i . g, and in w z . g
+  vec4 correction;       // y_i . z
+  vec4 changes[kPairs];  // [i]: s_i . y_j
 };
 
 #ifdef __cplusplus

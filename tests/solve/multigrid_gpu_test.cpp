@@ -1,0 +1,83 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "solve/multigrid_solver.h"
+#include "solve/reference_solver.h"
+#include "tests/solve/reference_problem.h"
+#include "tests/solve/sample_grids.h"
+#include "tests/support/validated_device.h"
+
+namespace morphgrid {
+namespace {
+
+class Multigrid : public DeviceTest {
+ protected:
+  Equilibrium solve(const StrutGrid& grid, const SolveOptions& options = {}) {
+    DeviceGrid deviceGrid(device_, grid);
+    return solveMultigrid(device_, grid, deviceGrid, options);
+  }
+};
+
+struct Answer {
+  const char* name;
+  bool shapeopIsConverged;  ///< Else the reference solver's positions are the answer.
+};
+
+class MultigridReferenceAnswers : public Multigrid, public testing::WithParamInterface<Answer> {};
+
+TEST_P(MultigridReferenceAnswers, PositionsAndEnergyMatch) {
+  const ReferenceProblem problem = loadReferenceProblem(GetParam().name);
+  const Equilibrium result = solve(problem.grid);
+  EXPECT_TRUE(result.converged) << toString(result.reason);
+  EXPECT_NEAR(result.energy / problem.minimumEnergy, 1, 1e-5);
+  const Eigen::Matrix3Xd expected =
+      GetParam().shapeopIsConverged ? problem.shapeopPositions
+                                    : solveReference(problem.grid, {.tolerance = 1e-11}).positions;
+  EXPECT_LT(largestAlignedDistance(result.positions, expected), 1e-3 * problem.grid.spacing);
+}
+
+INSTANTIATE_TEST_SUITE_P(ShapeOp, MultigridReferenceAnswers,
+                         testing::Values(Answer{"egg_chair_in_plane", true},
+                                         Answer{"egg_chair", true}, Answer{"saddle_patch", false},
+                                         Answer{"strip", false}),
+                         [](const auto& test) { return std::string(test.param.name); });
+
+class MultigridShapes : public Multigrid, public testing::WithParamInterface<GridShape> {};
+
+TEST_P(MultigridShapes, AgreesWithTheOracle) {
+  const StrutGrid grid = bentGrid(GetParam(), 8);
+  const Equilibrium result = solve(grid);
+  const Equilibrium expected = solveReference(grid, {.tolerance = 1e-11});
+  EXPECT_TRUE(result.converged) << toString(result.reason);
+  EXPECT_NEAR(result.energy / expected.energy, 1, 1e-6);
+  EXPECT_LT(largestAlignedDistance(result.positions, expected.positions), 1e-3);
+}
+
+INSTANTIATE_TEST_SUITE_P(OddShapes, MultigridShapes,
+                         testing::Values(GridShape{2, 2, 1}, GridShape{2, 2, 2},
+                                         GridShape{9, 17, 1}, GridShape{17, 3, 2},
+                                         GridShape{7, 5, 5}, GridShape{3, 18, 3},
+                                         GridShape{5, 4, 9}));
+
+TEST_F(Multigrid, TwoRunsGiveTheSameBits) {
+  const StrutGrid grid = bentGrid({14, 13, 3}, 5);
+  EXPECT_EQ(solve(grid).positions, solve(grid).positions);
+}
+
+TEST_F(Multigrid, FlatGridAtRestStaysFlatAndConvergesAtOnce) {
+  StrutGrid grid = circularStrip(12, 3, 0, 0.3);
+  const Equilibrium result = solve(grid);
+  EXPECT_TRUE(result.converged);
+  EXPECT_LT(largestAlignedDistance(result.positions, grid.positions), 1e-6);
+}
+
+TEST_F(Multigrid, IterationLimitIsKeptAndTold) {
+  const Equilibrium result = solve(bentGrid({14, 13, 3}, 5), {.iterationLimit = 3});
+  EXPECT_FALSE(result.converged);
+  EXPECT_EQ(result.reason, StopReason::iterationLimit);
+  EXPECT_LE(result.iterations, 4);
+}
+
+}  // namespace
+}  // namespace morphgrid

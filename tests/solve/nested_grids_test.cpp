@@ -1,0 +1,94 @@
+#include "solve/nested_grids.h"
+
+#include <gtest/gtest.h>
+
+#include <numeric>
+
+#include "tests/solve/sample_grids.h"
+
+namespace morphgrid {
+namespace {
+
+constexpr GridShape kShape{42, 31, 3};
+
+double sumAlongU(const StrutGrid& grid, int j, int k) {
+  double sum = 0;
+  for (int i = 0; i + 1 < grid.shape.verticesU; ++i) {
+    sum += grid.rest.u[grid.shape.index(i, j, k)];
+  }
+  return sum;
+}
+
+TEST(NestedGrids, HalveDownToTenNodes) {
+  const auto grids = nestGrids(circularStrip(41, 3, 0, 0.3));
+  ASSERT_EQ(grids.size(), 4u);
+  EXPECT_EQ(grids[0].grid.shape.verticesU, 7);
+  EXPECT_EQ(grids[1].grid.shape.verticesU, 12);
+  EXPECT_EQ(grids[2].grid.shape.verticesU, 22);
+  EXPECT_EQ(grids[3].grid.shape.verticesU, 42);
+  EXPECT_EQ(grids[3].thickness, 1);
+  EXPECT_NEAR(grids[2].thickness, std::sqrt(2), 1e-12);
+  EXPECT_NEAR(grids[0].thickness, 4 * std::sqrt(2), 1e-12);
+}
+
+TEST(NestedGrids, AreProblemsThatCanBeSolved) {
+  for (const NestedGrid& nested : nestGrids(bentGrid(kShape, 3))) {
+    EXPECT_NO_THROW(validate(nested.grid));
+  }
+}
+
+TEST(NestedGrids, KeepTheLengthOfALine) {
+  const StrutGrid fine = bentGrid(kShape, 3);
+  const auto grids = nestGrids(fine);
+  // The mean of the layers: what they differ by grows with the thickness.
+  const auto mean = [](const StrutGrid& grid) {
+    return (sumAlongU(grid, 0, 0) + sumAlongU(grid, 0, 1) + sumAlongU(grid, 0, 2)) / 3;
+  };
+  for (const NestedGrid& nested : grids) {
+    EXPECT_NEAR(mean(nested.grid), mean(fine), 1e-9);
+  }
+}
+
+TEST(NestedGrids, KeepTheCurvature) {
+  constexpr double kTheta = 0.02;
+  const auto grids = nestGrids(circularStrip(40, 3, kTheta, 0.3));
+  ASSERT_GT(grids.size(), 2u);
+  for (const NestedGrid& nested : grids) {
+    const StrutGrid& grid = nested.grid;
+    const double bottom = grid.rest.u[grid.shape.index(1, 0, 0)];
+    const double top = grid.rest.u[grid.shape.index(1, 0, 2)];
+    const double turn = (bottom - top) / (2 * grid.rest.w[grid.shape.index(1, 0, 0)]);
+    const double nodes = 40.0 / (grid.shape.verticesU - 1);
+    EXPECT_NEAR(turn / nodes, 2 * std::sin(kTheta / 2), 1e-9);
+  }
+}
+
+TEST(NestedGrids, StopWhereStrutsWouldTurnTooFar) {
+  EXPECT_EQ(nestGrids(circularStrip(40, 3, 0.6, 0.3)).size(), 1u);
+}
+
+TEST(NestedGrids, ProlongationReproducesCubicsAndOffsets) {
+  const auto grids = nestGrids(circularStrip(80, 3, 0, 0.3));
+  const NestedGrid& coarse = grids[grids.size() - 2];
+  const NestedGrid& fine = grids.back();
+  const auto bent = [](const NestedGrid& nested) {
+    const GridShape& shape = nested.grid.shape;
+    Eigen::Matrix3Xd positions(3, shape.vertexCount());
+    for (int k = 0; k < shape.layers; ++k) {
+      for (int j = 0; j < shape.verticesV; ++j) {
+        for (int i = 0; i < shape.verticesU; ++i) {
+          const double u = double(i) / (shape.verticesU - 1);
+          const double v = double(j) / (shape.verticesV - 1);
+          positions.col(shape.index(i, j, k)) << u, v, u * u * u - 2 * u * u + u * v;
+          positions.col(shape.index(i, j, k)) +=
+              nested.thickness * (k - 1) * Eigen::Vector3d(u, 0, 1);
+        }
+      }
+    }
+    return positions;
+  };
+  EXPECT_LT((prolong(coarse, bent(coarse), fine) - bent(fine)).cwiseAbs().maxCoeff(), 1e-12);
+}
+
+}  // namespace
+}  // namespace morphgrid
