@@ -4,18 +4,12 @@
 
 #include "benchmark/cost.h"
 #include "solve/coarse_levels.h"
+#include "solve/vertex_vector.h"
 
 namespace morphgrid {
 namespace {
 
 constexpr int kCycles = 8;  // Recorded at once.
-
-Buffer vertexVector(const Device& device, int vertexCount) {
-  using Usage = vk::BufferUsageFlagBits;
-  return {device, static_cast<vk::DeviceSize>(vertexCount) * sizeof(vec4),
-          Usage::eStorageBuffer | Usage::eStorageTexelBuffer | Usage::eTransferDst,
-          MemoryKind::device};
-}
 
 nlohmann::json measure(const std::function<void()>& work, double vertices, int rounds) {
   work();  // Compiles and warms up.
@@ -35,12 +29,13 @@ nlohmann::json measure(const std::function<void()>& work, double vertices, int r
 nlohmann::json measureCoarseLevels(const Device& device, const StrutGrid& grid, int rounds) {
   const int vertexCount = grid.shape.vertexCount();
   const DeviceGrid deviceGrid(device, grid);
-  const Buffer residual = vertexVector(device, vertexCount);
-  const Buffer correction = vertexVector(device, vertexCount);
+  const VertexVector residual(device, vertexCount);
+  const VertexVector correction(device, vertexCount);
   // Denormals cost a hundred times more: no zeros that rounding leaves.
-  upload(device, residual, std::vector<vec4>(vertexCount, vec4(0.5F, -0.25F, 0.125F, 0)));
-  upload(device, correction, std::vector<vec4>(vertexCount, vec4(0)));
-  CoarseLevels levels(device, deviceGrid, deviceGrid.positions(), residual, correction);
+  upload(device, residual.buffer(), std::vector<vec4>(vertexCount, vec4(0.5F, -0.25F, 0.125F, 0)));
+  upload(device, correction.buffer(), std::vector<vec4>(vertexCount, vec4(0)));
+  CoarseLevels levels(device, deviceGrid, deviceGrid.positions(), residual.buffer(),
+                      correction.buffer());
   nlohmann::json costs;
   costs["coarse_build"] = measure([&] { levels.build(); }, vertexCount, rounds);
   CommandStream stream(device);

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "benchmark/avx2_sweep.h"
+#include "benchmark/coarse_costs.h"
 #include "benchmark/cost.h"
 #include "benchmark/kernel_costs.h"
 #include "benchmark/ray_benchmark.h"
@@ -81,8 +82,9 @@ nlohmann::json compareSweeps(const Device& device, int vertexCount, int rounds) 
     competitors.push_back({"device_precise", [&](int count) { solver.sweep(count, true); }});
   }
   measure(competitors, grid.shape.vertexCount(), rounds);
-  nlohmann::json result{{"vertices", grid.shape.vertexCount()},
-                        {"kernels", measureKernels(device, grid, rounds)}};
+  nlohmann::json kernels = measureKernels(device, grid, rounds);
+  kernels.update(measureCoarseLevels(device, grid, rounds));
+  nlohmann::json result{{"vertices", grid.shape.vertexCount()}, {"kernels", std::move(kernels)}};
   for (const Competitor& competitor : competitors) {
     const double wall = median(competitor.wall);
     const double cpu = median(competitor.cpu);
@@ -139,8 +141,8 @@ int runBenchmark(int argc, char** argv) {
   }
   const Device device({.selection = selection, .validation = false});
   fmt::print(
-      "device: {}\nnanoseconds per vertex of one sweep, and of multigrid's kernels on the finest "
-      "level; medians of {} rounds\n",
+      "device: {}\nnanoseconds per vertex of one sweep, and of multigrid's kernels; "
+      "medians of {} rounds\n",
       device.name(), rounds);
   fmt::print("{:>8}  {:<16} {:>9} {:>6} {:>10} {:>6}\n", "vertices", "", "wall time", "ratio",
              "CPU time", "ratio");
