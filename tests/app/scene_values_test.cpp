@@ -57,9 +57,11 @@ TEST(SceneValues, OtherSections) {
           {"[weights]\nangle = -inf",
            "scene.toml:7:9: weights.angle must be a number >= 0, got -inf"},
           {"[solver]\nmethod = \"jacobbi\"",
-           "scene.toml:7:10: solver.method must be \"jacobi\" or \"reference\", got \"jacobbi\""},
+           "scene.toml:7:10: solver.method must be \"multigrid\" or \"jacobi\" or \"reference\", "
+           "got \"jacobbi\""},
           {"[solver]\nmethod = 1",
-           "scene.toml:7:10: solver.method must be \"jacobi\" or \"reference\", got 1"},
+           "scene.toml:7:10: solver.method must be \"multigrid\" or \"jacobi\" or \"reference\", "
+           "got 1"},
           {"[solver]\nscaling = \"normalized\"",
            "scene.toml:7:11: solver.scaling must be \"normalised\" or \"shapeop\", got "
            "\"normalized\""},
