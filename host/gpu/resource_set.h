@@ -1,4 +1,5 @@
 #pragma once
+#include <tuple>
 #include <variant>
 #include <vector>
 
@@ -19,7 +20,9 @@ struct ResourceSlot {
   std::uint32_t binding;
   vk::DescriptorType type;
 
-  auto operator<=>(const ResourceSlot&) const = default;
+  bool operator<(const ResourceSlot& other) const {
+    return std::tie(binding, type) < std::tie(other.binding, other.type);
+  }
 };
 
 std::vector<ResourceSlot> slotsOf(const std::vector<KernelResource>& resources);

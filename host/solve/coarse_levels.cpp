@@ -24,7 +24,7 @@ Matrix6d blockAt(const BlockField& field, int point) {
     const int quarter = n / 3;
     const vec4 texel = field.part(static_cast<std::size_t>(quarter))
                            .buffer()
-                           .mapped<vec4>()[std::size_t(3 * point + column)];
+                           .mapped<vec4>()[3 * std::size_t(point) + std::size_t(column)];
     const int firstRow = quarter == 2 ? 3 : 0;
     const int firstColumn = quarter == 1 ? 3 : 0;
     for (int row = 0; row < 3; ++row) {
