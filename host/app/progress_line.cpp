@@ -61,13 +61,13 @@ void ProgressLine::update(const ConvergenceSample& sample) {
     return;
   }
   lastPrinted_ = sample.seconds;
-  const std::string status =
-      fmt::format("{}: {} iterations, residual {:.1e} of {:.0e}, {}", stage_, sample.iteration,
-                  sample.residual, tolerance_, timeLeft(estimateSecondsLeft(samples_, tolerance_)));
+  const double left =
+      sample.secondsLeft >= 0 ? sample.secondsLeft : estimateSecondsLeft(samples_, tolerance_);
+  const std::string status = fmt::format("{}: {} iterations, residual {:.1e}, {}", stage_,
+                                         sample.iteration, sample.residual, timeLeft(left));
   if (onTerminal_) {
-    const double span = std::log(samples_.front().residual / tolerance_);
-    const double done = std::log(samples_.front().residual / sample.residual);
-    fmt::print(stderr, "\r\033[K[{}] {}", bar(span > 0 ? done / span : 1), status);
+    const double done = left >= 0 ? sample.seconds / (sample.seconds + left) : 0;
+    fmt::print(stderr, "\r\033[K[{}] {}", bar(done), status);
     std::fflush(stderr);
     barDrawn_ = true;
   } else {

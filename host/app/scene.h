@@ -40,7 +40,7 @@ struct Scene {
   DesignRequest design;
   Weights weights;
   Scaling scaling = Scaling::normalised;
-  Method method = Method::jacobi;
+  Method method = Method::multigrid;
   SolveOptions solve;
   PictureChoices pictures;
   FileChoices files;

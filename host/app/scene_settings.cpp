@@ -3,6 +3,12 @@
 #include <limits>
 
 namespace morphgrid {
+namespace {
+
+// Far beyond what a grid that converges needs: tens of cycles, thousands of simple iterations.
+constexpr long kCycleLimit = 5000;
+
+}  // namespace
 
 Weights readWeights(TomlReader& reader) {
   TomlSection section = reader.section("weights");
@@ -27,8 +33,12 @@ SolverSettings readSolverSettings(TomlReader& reader) {
                        .value_or(solver.scaling);
   SolveOptions& options = solver.options;
   options.tolerance = section.number("tolerance", between(0, 1)).value_or(options.tolerance);
-  options.iterationLimit =
-      section.integer("iteration_limit", {.low = 0}).value_or(options.iterationLimit);
+  const bool multigrid = solver.method == Method::multigrid;
+  options.energyTolerance =
+      section.number("energy_tolerance", NumberRange{.low = 0, .high = 1, .lowIncluded = true})
+          .value_or(options.energyTolerance);
+  options.iterationLimit = section.integer("iteration_limit", {.low = 0})
+                               .value_or(multigrid ? kCycleLimit : options.iterationLimit);
   return solver;
 }
 

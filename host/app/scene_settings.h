@@ -12,7 +12,7 @@ namespace morphgrid {
 Weights readWeights(TomlReader& reader);
 
 struct SolverSettings {
-  Method method = Method::jacobi;
+  Method method = Method::multigrid;
   Scaling scaling = Scaling::normalised;
   SolveOptions options;
 };

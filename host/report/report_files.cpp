@@ -91,7 +91,8 @@ ordered_json orNull(const std::optional<Figures>& figures) {
 void appendSamples(std::string& csv, const char* stage, const std::optional<Equilibrium>& run) {
   if (run) {
     for (const ConvergenceSample& s : run->history) {
-      csv += fmt::format("{},{},{},{},{}\n", stage, s.iteration, s.energy, s.residual, s.seconds);
+      csv += fmt::format("{},{},{},{},{},{}\n", stage, s.iteration, s.energy, s.residual, s.seconds,
+                         s.gridShare);
     }
   }
 }
@@ -240,7 +241,7 @@ std::string toJson(const RunRecord& record) {
 }
 
 std::string toConvergenceCsv(const RunRecord& record) {
-  std::string csv = "stage,iteration,energy,residual,seconds\n";
+  std::string csv = "stage,iteration,energy,residual,seconds,grid_share\n";
   appendSamples(csv, "in_plane", record.inPlane);
   appendSamples(csv, "full", record.full);
   return csv;

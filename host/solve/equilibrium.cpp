@@ -6,6 +6,8 @@ std::string toString(StopReason reason) {
   switch (reason) {
     case StopReason::residual:
       return "residual";
+    case StopReason::energy:
+      return "energy";
     case StopReason::iterationLimit:
       return "iteration limit";
     case StopReason::stagnated:

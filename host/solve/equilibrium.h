@@ -8,23 +8,29 @@ namespace morphgrid {
 
 enum class StopReason {
   residual,        ///< The residual fell below the tolerance: converged.
+  energy,          ///< The energy has no more to lose than the energy tolerance: converged.
   iterationLimit,  ///< The limit came first.
   stagnated,       ///< The residual no longer falls at the precision of the positions.
   interrupted,     ///< The user asked to stop.
 };
 
-/// "residual", "iteration limit", "stagnated", "interrupted".
+/// "residual", "energy", "iteration limit", "stagnated", "interrupted".
 std::string toString(StopReason reason);
 
 struct ConvergenceSample {
   long iteration;
   double energy;
   double residual;
-  double seconds;  ///< Since the stage began.
+  double seconds;           ///< Since the stage began.
+  double gridShare = 1;     ///< Vertices over those of the grid: below 1 on coarser grids.
+  double secondsLeft = -1;  ///< Estimate; negative: unknown.
 };
 
 struct SolveOptions {
-  double tolerance = 1e-9;       ///< Bound on the residual, see computeResidual(), > 0
+  double tolerance = 1e-9;  ///< Bound on the residual, see StrutEnergy::residual(), > 0
+  /// Multigrid also stops when three steps in a row could not have lowered the energy by more than
+  /// this share of it; >= 0, 0: never.
+  double energyTolerance = 1e-9;
   long iterationLimit = 200000;  ///< >= 0
   /// Called now and then with the newest sample; may be empty.
   std::function<void(const ConvergenceSample&)> onProgress;

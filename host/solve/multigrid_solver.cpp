@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <limits>
+#include <optional>
 
 #include "core/error.h"
 #include "core/interrupt.h"
@@ -20,26 +20,79 @@ using Clock = std::chrono::steady_clock;
 
 // A coarser grid is solved to this share of its energy: more would not spare the finer one a cycle.
 constexpr double kCoarseTolerance = 1e-4;
+// The energy's predicted decrease varies from step to step; so many small ones count as the end.
+constexpr int kQuietSteps = 3;
+// For the time left: what grids not yet begun will take.
+constexpr double kExpectedCycles = 20;
 
-/// What has happened since solveMultigrid() began.
+/// The last steps on one grid: whether the energy has come to rest, and when it will.
+class EnergyFall {
+ public:
+  explicit EnergyFall(double tolerance) : tolerance_(tolerance) {}
+
+  void add(const PreconditionedDescent& descent) {
+    const double share = descent.predictedDecrease() / descent.energy();
+    quietSteps_ = share < tolerance_ ? quietSteps_ + 1 : 0;
+    shares_.push_back(share);
+  }
+
+  int quietSteps() const { return quietSteps_; }
+
+  /// Steps to the tolerance, judged by the last half of them.
+  double stepsLeft() const {
+    const std::size_t span = shares_.size() / 2;
+    if (span < 2 || tolerance_ <= 0) {
+      return kExpectedCycles;
+    }
+    const double now = shares_.back();
+    const double fall = std::log(shares_[shares_.size() - 1 - span] / now);
+    return fall > 0 ? std::max(0.0, std::log(now / tolerance_)) * double(span) / fall
+                    : kExpectedCycles;
+  }
+
+ private:
+  double tolerance_;
+  int quietSteps_ = 0;
+  std::vector<double> shares_;
+};
+
+/// What has happened since solveMultigrid() began. Work is counted in cycles on the finest grid.
 class Progress {
  public:
-  Progress(const SolveOptions& options, const StrutGrid& finest)
-      : options_(options), energyScale_(finest.spacing * finest.spacing) {}
+  Progress(const SolveOptions& options, const std::vector<NestedGrid>& grids)
+      : options_(options), finest_(grids.back().grid) {
+    for (const NestedGrid& nested : grids) {
+      cyclesToCome_ += kExpectedCycles * share(nested.grid);
+    }
+  }
 
   double seconds() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
   double cycles() const { return cycles_; }
   std::vector<ConvergenceSample>& history() { return history_; }
 
-  /// share: of the finest grid's vertices.
-  void add(double share, double energy, double residual) {
-    cycles_ += share;
-    if (!std::isfinite(energy) || !std::isfinite(residual)) {
+  void beginGrid(const StrutGrid& grid) {
+    share_ = share(grid);
+    energyScale_ = grid.spacing * grid.spacing;
+    residualScale_ = 1 / (2 * StrutEnergy(grid).constraintWeights().mean() *
+                          std::sqrt(double(grid.shape.vertexCount())));
+    cyclesToCome_ -= kExpectedCycles * share_;
+  }
+
+  double residualOf(const PreconditionedDescent& descent) const {
+    return descent.gradientNorm() * residualScale_;
+  }
+
+  /// After a step on the grid begun last.
+  void add(const PreconditionedDescent& descent, const EnergyFall& fall) {
+    cycles_ += share_;
+    const double residual = residualOf(descent);
+    if (!std::isfinite(descent.energy()) || !std::isfinite(residual)) {
       throw DeviceError(
           fmt::format("the solve left the range of numbers at cycle {:.0f}", cycles_));
     }
-    history_.push_back(
-        {static_cast<long>(std::ceil(cycles_)), energy * energyScale_, residual, seconds()});
+    const double cyclesLeft = cyclesToCome_ + fall.stepsLeft() * share_;
+    history_.push_back({static_cast<long>(std::ceil(cycles_)), descent.energy() * energyScale_,
+                        residual, seconds(), share_, seconds() / cycles_ * cyclesLeft});
     if (options_.onProgress) {
       options_.onProgress(history_.back());
     }
@@ -56,78 +109,93 @@ class Progress {
   }
 
  private:
+  double share(const StrutGrid& grid) const {
+    return double(grid.shape.vertexCount()) / finest_.shape.vertexCount();
+  }
+
   const SolveOptions& options_;
-  double energyScale_;
+  const StrutGrid& finest_;
   Clock::time_point start_ = Clock::now();
+  double share_ = 1;
+  double energyScale_ = 1;
+  double residualScale_ = 1;  ///< From a gradient's norm, see StrutEnergy::residual().
   double cycles_ = 0;
+  double cyclesToCome_ = 0;  ///< On grids not yet begun, about.
   std::vector<ConvergenceSample> history_;
 };
-
-/// What turns a gradient's norm into a residual, see StrutEnergy::residual().
-double residualScale(const StrutEnergy& energy, const GridShape& shape) {
-  return 1 / (2 * energy.constraintWeights().mean() * std::sqrt(double(shape.vertexCount())));
-}
 
 Precision precisionOf(const Device& device) {
   return device.hasFloat64() ? Precision::precise : Precision::single;
 }
 
 /// Positions of a coarser grid's equilibrium, about.
-Eigen::Matrix3Xd solveCoarse(const Device& device, const StrutGrid& grid, double share,
-                             Progress& progress) {
+Eigen::Matrix3Xd solveCoarse(const Device& device, const StrutGrid& grid, Progress& progress) {
   DeviceGrid deviceGrid(device, grid);
   PreconditionedDescent descent(device, deviceGrid, precisionOf(device));
-  const StrutEnergy energy(grid);
-  const double scale = residualScale(energy, grid.shape);
-  while (!progress.reasonToStop() &&
-         descent.predictedDecrease() > kCoarseTolerance * descent.energy() && descent.iterate()) {
-    progress.add(share, descent.energy() * grid.spacing * grid.spacing,
-                 descent.gradientNorm() * scale);
+  EnergyFall fall(kCoarseTolerance);
+  progress.beginGrid(grid);
+  while (!progress.reasonToStop() && fall.quietSteps() == 0 && descent.iterate()) {
+    fall.add(descent);
+    progress.add(descent, fall);
   }
   descent.finish();
   return deviceGrid.downloadPositions();
+}
+
+/// Why the descent ended.
+StopReason solveFinest(PreconditionedDescent& descent, const SolveOptions& options,
+                       Progress& progress) {
+  EnergyFall fall(options.energyTolerance);
+  for (;;) {
+    if (progress.residualOf(descent) <= options.tolerance) {
+      return StopReason::residual;
+    }
+    if (fall.quietSteps() >= kQuietSteps) {
+      return StopReason::energy;
+    }
+    if (const auto reason = progress.reasonToStop()) {
+      return *reason;
+    }
+    if (!descent.iterate()) {
+      return StopReason::stagnated;
+    }
+    fall.add(descent);
+    progress.add(descent, fall);
+  }
 }
 
 }  // namespace
 
 Equilibrium solveMultigrid(const Device& device, const StrutGrid& grid, DeviceGrid& deviceGrid,
                            const SolveOptions& options) {
-  Progress progress(options, grid);
   const std::vector<NestedGrid> grids = nestGrids(grid);
+  Progress progress(options, grids);
   Eigen::Matrix3Xd positions = grids.front().grid.positions;
   for (std::size_t n = 0; n + 1 < grids.size(); ++n) {
     StrutGrid coarse = grids[n].grid;
     coarse.positions = positions;
-    const double share = double(coarse.shape.vertexCount()) / grid.shape.vertexCount();
-    positions = prolong(grids[n], solveCoarse(device, coarse, share, progress), grids[n + 1]);
+    positions = prolong(grids[n], solveCoarse(device, coarse, progress), grids[n + 1]);
   }
   deviceGrid.uploadPositions(positions);
 
   PreconditionedDescent descent(device, deviceGrid, precisionOf(device));
-  const StrutEnergy energy(grid);
-  const double scale = residualScale(energy, grid.shape);
+  progress.beginGrid(grid);
   Equilibrium result;
-  std::optional<StopReason> reason;
-  while (!(reason = progress.reasonToStop())) {
-    if (descent.gradientNorm() * scale <= options.tolerance) {
-      break;
-    }
-    if (!descent.iterate()) {
-      reason = StopReason::stagnated;
-      break;
-    }
-    progress.add(1, descent.energy() * grid.spacing * grid.spacing / (grid.spacing * grid.spacing),
-                 descent.gradientNorm() * scale);
-  }
+  result.reason = solveFinest(descent, options, progress);
   descent.finish();
 
   result.positions = deviceGrid.downloadPositions();
+  const StrutEnergy energy(grid);
   const StrutEnergy::Value value = energy.evaluate(result.positions);
   result.energy = value.energy;
   result.residual = energy.residual(value.gradient);
   // The device may see a slightly other residual than the host in double: the host decides.
-  result.converged = result.residual <= options.tolerance;
-  result.reason = result.converged ? StopReason::residual : reason.value_or(StopReason::stagnated);
+  if (result.residual <= options.tolerance) {
+    result.reason = StopReason::residual;
+  } else if (result.reason == StopReason::residual) {
+    result.reason = StopReason::stagnated;
+  }
+  result.converged = result.reason == StopReason::residual || result.reason == StopReason::energy;
   result.iterations = static_cast<long>(std::ceil(progress.cycles()));
   result.seconds = progress.seconds();
   result.history = std::move(progress.history());

@@ -43,8 +43,8 @@ TEST_F(Run, LeavesReportPicturesAndFiles) {
   const auto json = report();
   EXPECT_EQ(json["scene"], "egg_chair");
   EXPECT_EQ(json["full"]["converged"], true);
-  EXPECT_EQ(json["full"]["reason"], "residual");
-  EXPECT_LE(json["full"]["residual"].get<double>(), 1e-9);
+  EXPECT_TRUE(json["full"]["reason"] == "residual" || json["full"]["reason"] == "energy");
+  EXPECT_LE(json["full"]["residual"].get<double>(), 1e-8);
   EXPECT_GT(json["distance_to_target"]["rms_percent"].get<double>(), 0);
   EXPECT_LE(json["distance_to_target"]["closest_point_rms_percent"].get<double>(),
             json["distance_to_target"]["rms_percent"].get<double>());
@@ -68,9 +68,9 @@ TEST_F(Run, DeviceAgreesWithTheReferenceMethod) {
   const std::vector<std::string> common{
       "run",   sceneFile("egg_chair"), "--quiet", "--set", "grid.nodes_long=8",
       "--set", "output.pictures=false"};
-  std::vector<std::string> jacobi = common;
-  jacobi.insert(jacobi.end(), {"--out", out()});
-  ASSERT_EQ(runMorphgrid(jacobi).exitCode, 0);
+  std::vector<std::string> multigrid = common;
+  multigrid.insert(multigrid.end(), {"--out", out()});
+  ASSERT_EQ(runMorphgrid(multigrid).exitCode, 0);
   const auto onDevice = report();
   std::vector<std::string> reference = common;
   reference.insert(reference.end(), {"--out", out(), "--set", "solver.method=reference"});
@@ -105,7 +105,7 @@ TEST_F(Run, OneLayerStopsAfterTheInPlaneStage) {
 
 TEST_F(Run, NotConvergedWritesItsResultsAndExitsWith3) {
   const ProcessResult run = runMorphgrid({"run", sceneFile("egg_chair"), "--out", out(), "--set",
-                                          "solver.iteration_limit=64", "--set", "output.width=320",
+                                          "solver.iteration_limit=4", "--set", "output.width=320",
                                           "--set", "output.height=240"});
   EXPECT_EQ(run.exitCode, 3);
   EXPECT_THAT(run.output, HasSubstr("NOT converged: iteration limit"));
@@ -113,17 +113,24 @@ TEST_F(Run, NotConvergedWritesItsResultsAndExitsWith3) {
   EXPECT_TRUE(exists("warped.png"));
 }
 
-TEST_F(Run, CtrlCStopsCleanlyAndWritesItsResults) {
-  const ProcessResult run = runMorphgrid(
-      {"run", sceneFile("egg_chair"), "--out", out(), "--set", "grid.nodes_long=80", "--set",
-       "solver.tolerance=1e-15", "--set", "output.width=320", "--set", "output.height=240"},
-      {}, 3);
+class RunInterrupted : public Run, public testing::WithParamInterface<const char*> {};
+
+TEST_P(RunInterrupted, StopsCleanlyAndWritesItsResults) {
+  const ProcessResult run =
+      runMorphgrid({"run", sceneFile("egg_chair"), "--out", out(), "--set", "grid.nodes_long=80",
+                    "--set", "solver.tolerance=1e-15", "--set", "solver.energy_tolerance=0",
+                    "--set", std::string("solver.method=") + GetParam(), "--set",
+                    "output.width=320", "--set", "output.height=240"},
+                   {}, 2);
   EXPECT_EQ(run.exitCode, 130) << run.output;
   const auto json = report();
   EXPECT_TRUE(json["in_plane"]["reason"] == "interrupted" ||
               json["full"]["reason"] == "interrupted");
   EXPECT_TRUE(exists("warped.vtu"));
 }
+
+INSTANTIATE_TEST_SUITE_P(Methods, RunInterrupted, testing::Values("multigrid", "jacobi"),
+                         [](const auto& test) { return std::string(test.param); });
 
 TEST_F(Run, ClampsAreTold) {
   const ProcessResult run = runMorphgrid({"check", sceneFile("egg_chair"), "--set",

@@ -74,7 +74,8 @@ TEST(SceneFormatDoc, ListsExactlyTheKnownKeys) {
 }
 
 TEST(SceneFormatDoc, GivesTheRightDefaults) {
-  const Scene scene;
+  const SceneFiles files(kBezierScene);
+  const Scene scene = files.load();
   const std::map<std::string, double> expected = {
       {"grid.layers", scene.design.layers},
       {"grid.nodes_long", scene.design.nodesLong},
@@ -84,6 +85,7 @@ TEST(SceneFormatDoc, GivesTheRightDefaults) {
       {"weights.vertical", scene.weights.vertical},
       {"weights.angle", scene.weights.angle},
       {"solver.tolerance", scene.solve.tolerance},
+      {"solver.energy_tolerance", scene.solve.energyTolerance},
       {"solver.iteration_limit", scene.solve.iterationLimit},
       {"output.width", scene.pictures.width},
       {"output.height", scene.pictures.height},

@@ -100,7 +100,7 @@ TEST(Scenes, AllLoadWithoutSettingsOfTheirOwnForTheSolver) {
     SCOPED_TRACE(entry.path().filename());
     ++count;
     const Scene scene = loadScene(entry.path());
-    EXPECT_EQ(scene.method, Method::jacobi);
+    EXPECT_EQ(scene.method, Method::multigrid);
     EXPECT_EQ(scene.scaling, Scaling::normalised);
     EXPECT_EQ(scene.solve.tolerance, SolveOptions().tolerance);
     EXPECT_EQ(scene.weights.vertical, 40);
@@ -134,10 +134,11 @@ TEST(LoadScene, LeavesTheDefaultsOfWhatIsNotGiven) {
   EXPECT_EQ(scene.weights.lateral, 5);
   EXPECT_EQ(scene.weights.vertical, 40);
   EXPECT_EQ(scene.weights.angle, 1);
-  EXPECT_EQ(scene.method, Method::jacobi);
+  EXPECT_EQ(scene.method, Method::multigrid);
   EXPECT_EQ(scene.scaling, Scaling::normalised);
   EXPECT_EQ(scene.solve.tolerance, SolveOptions().tolerance);
-  EXPECT_EQ(scene.solve.iterationLimit, SolveOptions().iterationLimit);
+  EXPECT_EQ(scene.solve.energyTolerance, SolveOptions().energyTolerance);
+  EXPECT_EQ(scene.solve.iterationLimit, 5000);
   EXPECT_TRUE(scene.pictures.enabled);
   EXPECT_EQ(scene.pictures.width, 1280);
   EXPECT_EQ(scene.pictures.height, 960);
@@ -156,6 +157,7 @@ weights.angle = 0
 method = "reference"
 scaling = "shapeop"
 tolerance = 1e-12
+energy_tolerance = 0
 iteration_limit = 0
 [output]
 pictures = false
@@ -176,6 +178,7 @@ obj = false
   EXPECT_EQ(scene.method, Method::reference);
   EXPECT_EQ(scene.scaling, Scaling::shapeop);
   EXPECT_EQ(scene.solve.tolerance, 1e-12);
+  EXPECT_EQ(scene.solve.energyTolerance, 0);
   EXPECT_EQ(scene.solve.iterationLimit, 0);
   EXPECT_FALSE(scene.pictures.enabled);
   EXPECT_EQ(scene.pictures.width, 64);

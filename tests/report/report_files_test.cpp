@@ -93,11 +93,11 @@ TEST(ReportJson, WithoutAdviceItIsNull) {
 
 TEST(ConvergenceCsv, HasALinePerSample) {
   EXPECT_EQ(toConvergenceCsv(sampleRecord()),
-            "stage,iteration,energy,residual,seconds\n"
-            "in_plane,16,2.5,0.001,0.25\n"
-            "in_plane,32,0.30000000000000004,1e-10,0.5\n"
-            "full,16,2.5,0.001,0.25\n"
-            "full,32,0.30000000000000004,1e-10,0.5\n");
+            "stage,iteration,energy,residual,seconds,grid_share\n"
+            "in_plane,16,2.5,0.001,0.25,1\n"
+            "in_plane,32,0.30000000000000004,1e-10,0.5,1\n"
+            "full,16,2.5,0.001,0.25,1\n"
+            "full,32,0.30000000000000004,1e-10,0.5,1\n");
 }
 
 TEST(ReportTable, ShowsThePaperBesideOursWhereItHasFigures) {
