@@ -26,17 +26,10 @@ constexpr double kDampingDecay = 0.3;
 
 PreconditionedDescent::PreconditionedDescent(const Device& device, DeviceGrid& grid,
                                              Precision precision)
-    : device_(device),
-      grid_(grid),
+    : grid_(grid),
       energyRounding_(precision == Precision::precise ? 1e-12 : 1e-7),
       vectors_(device, grid, precision),
-      residual_(device, grid.shape().vertexCount()),
-      smoothed_(device, grid.shape().vertexCount()),
-      hessian_(device, grid),
-      coarse_(device, grid, hessian_.positions(), residual_.buffer(), smoothed_.buffer()),
-      firstSmoothing_(hessian_.firstSmoothing(vectors_.rightSide(), smoothed_)),
-      computeResidual_(hessian_.residual(smoothed_, vectors_.rightSide(), residual_)),
-      lastSmoothing_(hessian_.smoothing(smoothed_, vectors_.rightSide(), vectors_.correction())),
+      cycle_(device, grid, vectors_.rightSide(), vectors_.correction()),
       stream_(device),
       predictedDecrease_(std::numeric_limits<double>::infinity()) {
   stream_.begin();
@@ -49,22 +42,10 @@ PreconditionedDescent::PreconditionedDescent(const Device& device, DeviceGrid& g
 double PreconditionedDescent::gradientNorm() const { return std::sqrt(sums_.squaredNorm); }
 
 void PreconditionedDescent::linearise() {
-  hessian_.setDamping(damping_);
-  stream_.begin();
-  hessian_.recordLinearisation(stream_, vectors_.currentPositions());
-  stream_.end();
-  stream_.submitAndWait();
-  coarse_.build(damping_);
+  cycle_.linearise(vectors_.currentPositions(), damping_);
   linearisationIsStale_ = false;
   stepsSinceLinearisation_ = 0;
   damping_ = damping_ > kFirstDamping ? damping_ * kDampingDecay : 0;
-}
-
-void PreconditionedDescent::recordCycle() {
-  hessian_.record(stream_, firstSmoothing_);
-  hessian_.record(stream_, computeResidual_);
-  coarse_.recordCycle(stream_);
-  hessian_.record(stream_, lastSmoothing_);
 }
 
 bool PreconditionedDescent::iterate() {
@@ -90,7 +71,7 @@ bool PreconditionedDescent::iterate() {
 bool PreconditionedDescent::descend() {
   stream_.begin();
   vectors_.recordRightSide(stream_, history_.firstLoop(dots_));
-  recordCycle();
+  cycle_.record(stream_);
   vectors_.recordDots(stream_);
   stream_.end();
   stream_.submitAndWait();

@@ -1,7 +1,6 @@
 #pragma once
-#include "solve/coarse_levels.h"
-#include "solve/grid_hessian.h"
 #include "solve/lbfgs_vectors.h"
+#include "solve/v_cycle.h"
 
 namespace morphgrid {
 
@@ -30,20 +29,12 @@ class PreconditionedDescent {
   bool descend();
   /// Along the direction, whose slope is -descent.
   bool searchLine(double descent);
-  void recordCycle();
   bool modelFails(double decrease) const;
 
-  const Device& device_;
   DeviceGrid& grid_;
   double energyRounding_;
   LbfgsVectors vectors_;
-  VertexVector residual_;
-  VertexVector smoothed_;
-  GridHessian hessian_;
-  CoarseLevels coarse_;
-  GridHessian::Step firstSmoothing_;
-  GridHessian::Step computeResidual_;
-  GridHessian::Step lastSmoothing_;
+  VCycle cycle_;
   CommandStream stream_;
   PairHistory history_;
   Dots dots_{};
