@@ -1,13 +1,12 @@
 #include "solve/reference_solver.h"
 
-#include <Eigen/SparseCholesky>
 #include <chrono>
 #include <deque>
 #include <limits>
 #include <optional>
 
 #include "core/interrupt.h"
-#include "solve/energy.h"
+#include "solve/constant_matrix.h"
 
 namespace morphgrid {
 namespace {
@@ -26,41 +25,6 @@ constexpr double kLargestMove = 2;  // Spacings that a vertex may move in one st
 constexpr long kSampleEvery = 10;
 
 double dot(const Matrix3Xd& a, const Matrix3Xd& b) { return a.cwiseProduct(b).sum(); }
-
-/// Twice the constant matrix of projective dynamics, factorised; x, y and z share it.
-class ConstantMatrix {
- public:
-  ConstantMatrix(const StrutGrid& grid, const StrutEnergy& energy) {
-    std::vector<Eigen::Triplet<double>> entries;
-    const auto connect = [&](int a, int b, double weight) {
-      entries.emplace_back(a, a, 2 * weight);
-      entries.emplace_back(b, b, 2 * weight);
-      entries.emplace_back(a, b, -2 * weight);
-      entries.emplace_back(b, a, -2 * weight);
-    };
-    for (const Strut& strut : energy.struts()) {
-      connect(strut.from, strut.to, valueAt(grid.stiffness, strut));
-    }
-    for (const Corner& corner : energy.corners()) {
-      connect(corner.apex, corner.a, grid.angleWeight);
-      connect(corner.apex, corner.b, grid.angleWeight);
-    }
-    // Translations leave the energy unchanged; a weak hold on one vertex makes the matrix definite.
-    entries.emplace_back(0, 0, 1e-6 * energy.constraintWeights().mean());
-    const int count = grid.shape.vertexCount();
-    Eigen::SparseMatrix<double> matrix(count, count);
-    matrix.setFromTriplets(entries.begin(), entries.end());
-    factor_.compute(matrix);
-  }
-
-  Matrix3Xd solve(const Matrix3Xd& right) const {
-    const Eigen::MatrixXd transposed = right.transpose();
-    return factor_.solve(transposed).transpose();
-  }
-
- private:
-  Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factor_;
-};
 
 /// The two-loop recursion (Nocedal & Wright, algorithm 7.4).
 class LimitedMemory {
