@@ -76,6 +76,22 @@ MatrixXd denseHessian(const StrutGrid& grid) {
   return matrix;
 }
 
+MatrixXd denseExactHessian(const StrutGrid& grid) {
+  const double step = 1e-3 * grid.spacing;
+  const StrutEnergy energy(grid);
+  MatrixXd matrix(grid.positions.size(), grid.positions.size());
+  for (Eigen::Index n = 0; n < matrix.cols(); ++n) {
+    const auto at = [&](double steps) {
+      Eigen::Matrix3Xd moved = grid.positions;
+      moved(n % 3, n / 3) += steps * step;
+      return energy.evaluate(moved).gradient;
+    };
+    const Eigen::Matrix3Xd change = (8 * (at(1) - at(-1)) - (at(2) - at(-2))) / (12 * step);
+    matrix.col(n) = change.reshaped();
+  }
+  return matrix;
+}
+
 MatrixXd denseLaplacian(const GridShape& shape) {
   MatrixXd matrix = MatrixXd::Zero(3 * shape.vertexCount(), 3 * shape.vertexCount());
   for (const Strut& strut : listStruts(shape)) {

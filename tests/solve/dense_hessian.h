@@ -9,6 +9,10 @@ namespace morphgrid {
 /// differentiated by central differences: nothing is shared with the shaders.
 Eigen::MatrixXd denseHessian(const StrutGrid& grid);
 
+/// The exact Hessian of StrutEnergy at the grid's positions, 3 vertexCount square, by differences
+/// of its gradient.
+Eigen::MatrixXd denseExactHessian(const StrutGrid& grid);
+
 /// The Laplacian of the grid's struts, each with weight 1, times the unit matrix of 3 x 3.
 Eigen::MatrixXd denseLaplacian(const GridShape& shape);
 
