@@ -99,8 +99,7 @@ StrutEnergy::Value StrutEnergy::evaluate(const Eigen::Matrix3Xd& x) const {
 }
 
 double StrutEnergy::residual(const Eigen::Matrix3Xd& gradient) const {
-  const double meanStiffness = 2 * constraintWeights_.mean();
-  return gradient.norm() / (meanStiffness * grid_.spacing * std::sqrt(double(gradient.cols())));
+  return gradient.norm() / (meanStiffness() * grid_.spacing * std::sqrt(double(gradient.cols())));
 }
 
 }  // namespace morphgrid

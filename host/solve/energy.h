@@ -37,8 +37,11 @@ class StrutEnergy {
   /// constraints pull (strut w c; corner w at an arm, 2 w at the apex), > 0.
   const Eigen::VectorXd& constraintWeights() const { return constraintWeights_; }
 
-  /// |gradient| / (mean stiffness x spacing x sqrt(vertexCount)); the mean stiffness is twice the
-  /// mean of constraintWeights(). Independent of the units of length and weight, and of the size.
+  /// Twice the mean of constraintWeights().
+  double meanStiffness() const { return 2 * constraintWeights_.mean(); }
+
+  /// |gradient| / (mean stiffness x spacing x sqrt(vertexCount)). Independent of the units of
+  /// length and weight, and of the size.
   double residual(const Eigen::Matrix3Xd& gradient) const;
 
   const std::vector<Strut>& struts() const { return struts_; }

@@ -1,0 +1,65 @@
+#include "solve/preconditioners.h"
+
+#include <memory>
+
+#include "solve/constant_matrix.h"
+#include "solve/v_cycle.h"
+
+namespace morphgrid {
+namespace {
+
+using Eigen::Matrix3Xd;
+
+class VCycleSolve {
+ public:
+  VCycleSolve(const Device& device, const DeviceGrid& grid)
+      : device_(device),
+        rightSide_(device, grid.shape().vertexCount()),
+        correction_(device, grid.shape().vertexCount()),
+        cycle_(device, grid, rightSide_, correction_),
+        stream_(device) {
+    cycle_.linearise(grid.positions());
+    stream_.begin();
+    cycle_.record(stream_);
+    stream_.end();
+  }
+
+  Matrix3Xd operator()(const Matrix3Xd& right) {
+    std::vector<vec4> packed;
+    packed.reserve(static_cast<std::size_t>(right.cols()));
+    for (const auto& r : right.colwise()) {
+      packed.emplace_back(r.x(), r.y(), r.z(), 0);
+    }
+    upload(device_, rightSide_.buffer(), packed);
+    stream_.submitAndWait();
+    packed = download<vec4>(device_, correction_.buffer(), packed.size());
+    Matrix3Xd correction(3, right.cols());
+    for (Eigen::Index n = 0; n < correction.cols(); ++n) {
+      const vec4& c = packed[static_cast<std::size_t>(n)];
+      correction.col(n) << c.x, c.y, c.z;
+    }
+    return correction;
+  }
+
+ private:
+  const Device& device_;
+  VertexVector rightSide_;
+  VertexVector correction_;
+  VCycle cycle_;
+  CommandStream stream_;
+};
+
+}  // namespace
+
+Preconditioner vCyclePreconditioner(const Device& device, const DeviceGrid& grid) {
+  return [solve = std::make_shared<VCycleSolve>(device, grid)](const Matrix3Xd& right) {
+    return (*solve)(right);
+  };
+}
+
+Preconditioner constantMatrixPreconditioner(const StrutGrid& grid) {
+  return [matrix = std::make_shared<const ConstantMatrix>(grid, StrutEnergy(grid))](
+             const Matrix3Xd& right) { return matrix->solve(right); };
+}
+
+}  // namespace morphgrid

@@ -1,0 +1,201 @@
+#include "solve/smallest_eigenvalue.h"
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
+#include <chrono>
+#include <random>
+
+#include "core/interrupt.h"
+#include "solve/exact_hessian.h"
+
+namespace morphgrid {
+namespace {
+
+using Eigen::Index;
+using Eigen::Matrix3Xd;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+using Clock = std::chrono::steady_clock;
+
+// Motions that are searched side by side: neighbouring eigenvalues then hardly slow the first.
+constexpr Index kBlock = 3;
+// Of the mean stiffness: what rounding leaves of an eigenvalue of zero.
+constexpr double kRounding = 1e-13;
+// A motion of which less than this share is left has been in the span of the others.
+constexpr double kDependent = 1e-10;
+
+MatrixXd joined(const MatrixXd& left, const MatrixXd& right) {
+  MatrixXd both(left.rows(), left.cols() + right.cols());
+  both << left, right;
+  return both;
+}
+
+/// The part of `candidates` outside the span of `basis`, by Gram-Schmidt, done twice. Columns that
+/// depend on others are left out. All columns of a basis are orthonormal.
+MatrixXd orthonormalised(const MatrixXd& candidates, const MatrixXd& basis) {
+  MatrixXd result(candidates.rows(), candidates.cols());
+  Index count = 0;
+  for (VectorXd v : candidates.colwise()) {
+    bool independent = v.norm() > 0;
+    for (int pass = 0; pass < 2 && independent; ++pass) {
+      v.normalize();
+      v -= basis * (basis.transpose() * v);
+      v -= result.leftCols(count) * (result.leftCols(count).transpose() * v);
+      independent = v.norm() > kDependent;
+    }
+    if (independent) {
+      result.col(count++) = v.normalized();
+    }
+  }
+  return result.leftCols(count);
+}
+
+VectorXd flattened(const Matrix3Xd& motion) {
+  return Eigen::Map<const VectorXd>(motion.data(), motion.size());
+}
+
+Matrix3Xd unflattened(const VectorXd& values) {
+  return Eigen::Map<const Matrix3Xd>(values.data(), 3, values.size() / 3);
+}
+
+/// A basis of translations and infinitesimal rotations, in the plane or in space.
+MatrixXd rigidMotions(const Matrix3Xd& positions, Motions motions) {
+  const Matrix3Xd centred = positions.colwise() - positions.rowwise().mean();
+  MatrixXd basis(positions.size(), 6);
+  for (int axis = 0; axis < 3; ++axis) {
+    const Eigen::Vector3d unit = Eigen::Vector3d::Unit(axis);
+    basis.col(axis) = unit.replicate(positions.cols(), 1);
+    basis.col(3 + axis) = flattened(centred.colwise().cross(unit));
+  }
+  const std::vector<int> columns =
+      motions == Motions::inPlane ? std::vector{0, 1, 5} : std::vector{0, 1, 2, 3, 4, 5};
+  return orthonormalised(basis(Eigen::all, columns), MatrixXd(basis.rows(), 0));
+}
+
+/// H over the mean stiffness, and its preconditioner, on motions that are allowed.
+class Problem {
+ public:
+  Problem(const StrutGrid& grid, const Matrix3Xd& positions, const Preconditioner& preconditioner,
+          Motions motions)
+      : energy_(grid),
+        hessian_(grid, energy_, positions),
+        preconditioner_(preconditioner),
+        motions_(motions),
+        rigid_(rigidMotions(positions, motions)) {}
+
+  MatrixXd images(const MatrixXd& z) const {
+    return apply(z, [&](const Matrix3Xd& motion) {
+      return Matrix3Xd(hessian_.product(motion) / energy_.meanStiffness());
+    });
+  }
+
+  /// New motions in the directions of the preconditioned `right`, orthonormal to all others.
+  MatrixXd newMotions(const MatrixXd& right, const MatrixXd& known) const {
+    // Of norm 1, since preconditioners may be of single precision.
+    return orthonormalised(apply(right.colwise().normalized(), preconditioner_),
+                           joined(rigid_, known));
+  }
+
+ private:
+  template <typename Operator>
+  MatrixXd apply(const MatrixXd& vectors, const Operator& operate) const {
+    MatrixXd results(vectors.rows(), vectors.cols());
+    for (Index n = 0; n < vectors.cols(); ++n) {
+      Matrix3Xd result = operate(unflattened(vectors.col(n)));
+      if (motions_ == Motions::inPlane) {
+        result.row(2).setZero();
+      }
+      results.col(n) = flattened(result);
+    }
+    return results;
+  }
+
+  StrutEnergy energy_;
+  ExactHessian hessian_;
+  const Preconditioner& preconditioner_;
+  Motions motions_;
+  MatrixXd rigid_;
+};
+
+/// Orthonormal motions with their images under H. The first `eigenvalues.size()` are approximate
+/// eigenvectors, the others the directions in which they last changed.
+struct Subspace {
+  MatrixXd motions;
+  MatrixXd images;
+  VectorXd eigenvalues;
+};
+
+/// The best approximations in the span of the subspace (Rayleigh, Ritz). `kept`: how many of its
+/// motions were approximations before.
+Subspace improved(const Subspace& s, Index kept) {
+  const MatrixXd small = s.motions.transpose() * s.images;
+  const Eigen::SelfAdjointEigenSolver<MatrixXd> solver((small + small.transpose()) / 2);
+  const Index count = std::min(kBlock, small.cols());
+  const MatrixXd best = solver.eigenvectors().leftCols(count);
+  MatrixXd changes = best;
+  changes.topRows(kept).setZero();
+  const MatrixXd coefficients = joined(best, orthonormalised(changes, best));
+  return {s.motions * coefficients, s.images * coefficients, solver.eigenvalues().head(count)};
+}
+
+Subspace extended(const Subspace& s, const MatrixXd& motions, const Problem& problem) {
+  return {joined(s.motions, motions), joined(s.images, problem.images(motions)), s.eigenvalues};
+}
+
+MatrixXd randomMotions(Index size) {
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> value(-1, 1);
+  return MatrixXd::NullaryExpr(size, kBlock, [&] { return value(random); });
+}
+
+}  // namespace
+
+Verdict verdictOf(const SmallestEigenvalue& eigenvalue) {
+  if (eigenvalue.value < -kRounding) {
+    return Verdict::saddle;
+  }
+  return eigenvalue.converged && eigenvalue.value > eigenvalue.residual ? Verdict::minimum
+                                                                        : Verdict::undecided;
+}
+
+std::string toString(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::minimum:
+      return "minimum";
+    case Verdict::saddle:
+      return "saddle";
+    case Verdict::undecided:
+      return "undecided";
+  }
+  return "unknown";
+}
+
+SmallestEigenvalue computeSmallestEigenvalue(const StrutGrid& grid, const Matrix3Xd& positions,
+                                             const Preconditioner& preconditioner,
+                                             const EigenvalueOptions& options) {
+  const auto start = Clock::now();
+  const Problem problem(grid, positions, preconditioner, options.motions);
+  const Index size = positions.size();
+  Subspace s{MatrixXd(size, 0), MatrixXd(size, 0), VectorXd(0)};
+  s = improved(extended(s, problem.newMotions(randomMotions(size), s.motions), problem), 0);
+
+  SmallestEigenvalue result;
+  for (;; ++result.iterations) {
+    const Index count = s.eigenvalues.size();
+    const MatrixXd residuals =
+        s.images.leftCols(count) - s.motions.leftCols(count) * s.eigenvalues.asDiagonal();
+    result.value = s.eigenvalues[0];
+    result.residual = residuals.col(0).norm();
+    result.converged =
+        result.residual <= std::max(options.tolerance * std::abs(result.value), kRounding);
+    if (result.converged || result.iterations >= options.iterationLimit || interruptRequested()) {
+      break;
+    }
+    s = improved(extended(s, problem.newMotions(residuals, s.motions), problem), count);
+  }
+  result.motion = unflattened(s.motions.col(0));
+  result.seconds = std::chrono::duration<double>(Clock::now() - start).count();
+  return result;
+}
+
+}  // namespace morphgrid

@@ -1,0 +1,57 @@
+#pragma once
+#include <functional>
+#include <string>
+
+#include "grid/strut_grid.h"
+
+namespace morphgrid {
+
+/// About the inverse of a grid's Hessian, times a vector: 3 x vertexCount in and out. Symmetric and
+/// positive semidefinite; its unit is of no account.
+using Preconditioner = std::function<Eigen::Matrix3Xd(const Eigen::Matrix3Xd&)>;
+
+/// Where a grid may move to.
+enum class Motions {
+  inSpace,
+  inPlane,  ///< z stays fixed, as in the in-plane stage.
+};
+
+struct EigenvalueOptions {
+  Motions motions = Motions::inSpace;
+  double tolerance = 0.1;     ///< Bound on residual / |value|, > 0: leaves no doubt about the sign.
+  long iterationLimit = 500;  ///< >= 0
+};
+
+/// The smallest eigenvalue of the exact Hessian of the energy beyond the rigid motions, over the
+/// mean stiffness (see StrutEnergy::residual()): twice the energy, in stiffness x spacing^2, that a
+/// motion costs whose squared lengths, in spacings, add up to 1. Independent of units.
+struct SmallestEigenvalue {
+  double value = 0;     ///< Rayleigh quotient of `motion`: the smallest eigenvalue is no larger.
+  double residual = 0;  ///< |H z - value z|: an eigenvalue lies within it of the value.
+  long iterations = 0;
+  bool converged = false;
+  double seconds = 0;
+  Eigen::Matrix3Xd motion;  ///< z, 3 x vertexCount, of norm 1.
+};
+
+/// What an eigenvalue says about an equilibrium.
+enum class Verdict {
+  minimum,    ///< Positive: no small motion lowers the energy. There may be other minima.
+  saddle,     ///< Negative: there is a motion along which the energy falls.
+  undecided,  ///< Zero within its residual, or not converged.
+};
+
+Verdict verdictOf(const SmallestEigenvalue& eigenvalue);
+
+/// "minimum", "saddle", "undecided".
+std::string toString(Verdict verdict);
+
+/// By LOBPCG (Knyazev 2001), from a fixed random start. positions: 3 x vertexCount, an equilibrium
+/// in the scene's unit of length; elsewhere rotations are no eigenvectors, but taken out all the
+/// same. Stops early when the user interrupts.
+SmallestEigenvalue computeSmallestEigenvalue(const StrutGrid& grid,
+                                             const Eigen::Matrix3Xd& positions,
+                                             const Preconditioner& preconditioner,
+                                             const EigenvalueOptions& options = {});
+
+}  // namespace morphgrid

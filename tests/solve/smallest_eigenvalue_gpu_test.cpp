@@ -1,0 +1,48 @@
+#include "solve/smallest_eigenvalue.h"
+
+#include "solve/preconditioners.h"
+#include "tests/solve/dense_eigenvalue.h"
+#include "tests/solve/reference_problem.h"
+#include "tests/solve/sample_grids.h"
+#include "tests/support/validated_device.h"
+
+namespace morphgrid {
+namespace {
+
+class SmallestEigenvalueByMultigrid : public DeviceTest {
+ protected:
+  SmallestEigenvalue compute(const StrutGrid& grid, const EigenvalueOptions& options) const {
+    const DeviceGrid deviceGrid(device_, grid);
+    return computeSmallestEigenvalue(grid, grid.positions,
+                                     vCyclePreconditioner(device_, deviceGrid), options);
+  }
+};
+
+TEST_F(SmallestEigenvalueByMultigrid, AgreesWithTheDenseOne) {
+  const EigenvalueOptions options{.tolerance = 1e-5};
+  for (const GridShape& shape : {GridShape{4, 5, 3}, GridShape{9, 7, 2}}) {
+    const StrutGrid bent = atRest(bentGrid(shape, 8));
+    EXPECT_NEAR(compute(bent, options).value / denseSmallestEigenvalue(bent, options.motions), 1,
+                1e-5);
+    const StrutGrid sheet = atRest(tightRimmedSheet(shape));
+    EXPECT_NEAR(compute(sheet, options).value / denseSmallestEigenvalue(sheet, options.motions), 1,
+                1e-5);
+  }
+  const EigenvalueOptions inPlane{.motions = Motions::inPlane, .tolerance = 1e-5};
+  const StrutGrid flat = atRest(bentGrid({6, 4, 1}, 8));
+  EXPECT_NEAR(compute(flat, inPlane).value / denseSmallestEigenvalue(flat, inPlane.motions), 1,
+              1e-5);
+}
+
+TEST_F(SmallestEigenvalueByMultigrid, TakesFewIterationsWhereTheConstantMatrixTakesMany) {
+  const StrutGrid grid = atRest(loadReferenceProblem("egg_chair").grid);
+  const SmallestEigenvalue found = compute(grid, {});
+  EXPECT_EQ(verdictOf(found), Verdict::minimum);
+  EXPECT_LT(found.iterations, 30);
+  const SmallestEigenvalue onHost = computeSmallestEigenvalue(
+      grid, grid.positions, constantMatrixPreconditioner(grid), {.tolerance = 1e-3});
+  EXPECT_NEAR(found.value / onHost.value, 1, 0.01);
+}
+
+}  // namespace
+}  // namespace morphgrid
