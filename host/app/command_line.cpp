@@ -37,6 +37,7 @@ struct Arguments {
   std::filesystem::path outputFolder;
   std::vector<std::string> overrides;
   DeviceOptions device;
+  bool smallestEigenvalue = false;
   bool quiet = false;
 };
 
@@ -65,7 +66,8 @@ int exitCodeOf(const RunRecord& record) {
 }
 
 int run(const Arguments& arguments) {
-  const Scene scene = loadScene(arguments.scene, arguments.overrides);
+  Scene scene = loadScene(arguments.scene, arguments.overrides);
+  scene.smallestEigenvalue |= arguments.smallestEigenvalue;
   const auto folder = arguments.outputFolder.empty() ? std::filesystem::path("out") / scene.name
                                                      : arguments.outputFolder;
   installInterruptHandler();
@@ -138,6 +140,8 @@ int runCommandLine(int argc, char** argv) {
   runCommand->add_option("--out", arguments.outputFolder, "output folder [out/SCENE]");
   runCommand->add_option("--device", arguments.device.selection,
                          "Vulkan device, by index or part of its name [the first that will do]");
+  runCommand->add_flag("--smallest-eigenvalue", arguments.smallestEigenvalue,
+                       "find out whether the equilibria are minima, as solver.smallest_eigenvalue");
   runCommand->add_flag("--quiet", arguments.quiet, "print errors only");
   runCommand->add_flag("--validate", arguments.device.validation,
                        "run under the Vulkan validation layers; any message is a device failure");

@@ -11,6 +11,7 @@
 #include "app/progress_line.h"
 #include "core/atomic_file.h"
 #include "core/error.h"
+#include "core/interrupt.h"
 #include "core/rigid_alignment.h"
 #include "export/gltf.h"
 #include "export/surface_files.h"
@@ -18,6 +19,7 @@
 #include "report/report_files.h"
 #include "solve/jacobi_solver.h"
 #include "solve/multigrid_solver.h"
+#include "solve/preconditioners.h"
 #include "solve/reference_solver.h"
 
 namespace morphgrid {
@@ -73,6 +75,28 @@ void solve(Stage& stage, const char* name, const Scene& scene, const RunOptions&
     if (stage.onDevice) {
       stage.onDevice->uploadPositions(stage.equilibrium.positions);
     }
+  }
+}
+
+/// On request: is the equilibrium a minimum?
+void judge(Stage& stage, Motions motions, const Scene& scene, const Stagehands& hands) {
+  if (!scene.smallestEigenvalue || interruptRequested()) {
+    return;
+  }
+  const Preconditioner preconditioner = scene.method == Method::reference
+                                            ? constantMatrixPreconditioner(stage.grid)
+                                            : vCyclePreconditioner(*hands.device, *stage.onDevice);
+  stage.equilibrium.smallestEigenvalue = computeSmallestEigenvalue(
+      stage.grid, stage.equilibrium.positions, preconditioner, {.motions = motions});
+}
+
+void noteSaddle(RunRecord& record, const char* stage, const Equilibrium& equilibrium) {
+  if (verdictOf(equilibrium) == Verdict::saddle) {
+    record.notices.push_back(
+        fmt::format("the {} stage ended at a saddle, not at a minimum: there is a motion along "
+                    "which the energy "
+                    "falls; try another solver.method, grid.layer_spacing or grid.nodes_long",
+                    stage));
   }
 }
 
@@ -137,6 +161,7 @@ Stage runInPlane(const Scene& scene, const RunOptions& options, const GridDesign
                              stage.grid.positions);
   }
   solve(stage, "in plane", scene, options, hands);
+  judge(stage, Motions::inPlane, scene, hands);
   if (hands.pictures) {
     hands.pictures->drawFlat("in_plane", "in plane: as printed", *stage.onDevice,
                              stage.equilibrium.positions);
@@ -153,6 +178,7 @@ Stage runFull(const Scene& scene, const RunOptions& options, const GridDesign& d
                              stage.grid.positions);
   }
   solve(stage, "full", scene, options, hands);
+  judge(stage, Motions::inSpace, scene, hands);
   return stage;
 }
 
@@ -175,9 +201,11 @@ RunRecord runScene(const Scene& scene, const RunOptions& options) {
 
   Stage stage = runInPlane(scene, options, designed.design, hands);
   record.inPlane = stage.equilibrium;
+  noteSaddle(record, "in-plane", *record.inPlane);
   if (designed.design.layers > 1) {
     stage = runFull(scene, options, designed.design, record.inPlane->positions, hands);
     record.full = stage.equilibrium;
+    noteSaddle(record, "full", *record.full);
     record.shrink = computeShrink(stage.grid, scene.design.maxShrinkage);
   }
 

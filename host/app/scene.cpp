@@ -20,6 +20,7 @@ Scene readScene(TomlReader& reader, const std::filesystem::path& file) {
   scene.method = solver.method;
   scene.scaling = solver.scaling;
   scene.solve = std::move(solver.options);
+  scene.smallestEigenvalue = solver.smallestEigenvalue;
   const OutputChoices output = readOutputChoices(reader);
   scene.pictures = output.pictures;
   scene.files = output.files;

@@ -42,6 +42,7 @@ struct Scene {
   Scaling scaling = Scaling::normalised;
   Method method = Method::multigrid;
   SolveOptions solve;
+  bool smallestEigenvalue = false;  ///< Whether to find out if the equilibria are minima.
   PictureChoices pictures;
   FileChoices files;
   std::optional<PublishedFigures> published;

@@ -39,6 +39,8 @@ SolverSettings readSolverSettings(TomlReader& reader) {
           .value_or(options.energyTolerance);
   options.iterationLimit = section.integer("iteration_limit", {.low = 0})
                                .value_or(multigrid ? kCycleLimit : options.iterationLimit);
+  solver.smallestEigenvalue =
+      section.boolean("smallest_eigenvalue").value_or(solver.smallestEigenvalue);
   return solver;
 }
 

@@ -15,6 +15,7 @@ struct SolverSettings {
   Method method = Method::multigrid;
   Scaling scaling = Scaling::normalised;
   SolveOptions options;
+  bool smallestEigenvalue = false;
 };
 SolverSettings readSolverSettings(TomlReader& reader);
 

@@ -19,10 +19,24 @@ ordered_json number(const std::optional<double>& value) {
   return value ? number(*value) : ordered_json(nullptr);
 }
 
+ordered_json eigenvalueToJson(const Equilibrium& stage) {
+  if (!stage.smallestEigenvalue) {
+    return nullptr;
+  }
+  const SmallestEigenvalue& e = *stage.smallestEigenvalue;
+  return {{"value", number(e.value)},   {"residual", number(e.residual)},
+          {"iterations", e.iterations}, {"converged", e.converged},
+          {"seconds", e.seconds},       {"verdict", toString(verdictOf(stage))}};
+}
+
 ordered_json toJson(const Equilibrium& stage) {
-  return {{"iterations", stage.iterations},   {"converged", stage.converged},
-          {"reason", toString(stage.reason)}, {"residual", number(stage.residual)},
-          {"energy", number(stage.energy)},   {"seconds", stage.seconds}};
+  return {{"iterations", stage.iterations},
+          {"converged", stage.converged},
+          {"reason", toString(stage.reason)},
+          {"residual", number(stage.residual)},
+          {"energy", number(stage.energy)},
+          {"seconds", stage.seconds},
+          {"smallest_eigenvalue", eigenvalueToJson(stage)}};
 }
 
 ordered_json toJson(const std::vector<CutoffConsequence>& cutoffs) {
@@ -189,13 +203,23 @@ void addMesh(Table& table, const RunRecord& record) {
   }
 }
 
+std::string counted(long iterations) {
+  return fmt::format("{} {}", iterations, iterations == 1 ? "iteration" : "iterations");
+}
+
 void addStage(Table& table, const char* name, const std::optional<Equilibrium>& stage) {
-  if (stage) {
-    table.line(
-        fmt::format("  {:<9} {} {} ({}), residual {:.2g}, energy {:.6g}, {:.2f} s", name,
-                    stage->iterations, stage->iterations == 1 ? "iteration" : "iterations",
-                    stage->converged ? "converged" : "NOT converged: " + toString(stage->reason),
-                    stage->residual, stage->energy, stage->seconds));
+  if (!stage) {
+    return;
+  }
+  table.line(fmt::format(
+      "  {:<9} {} ({}), residual {:.2g}, energy {:.6g}, {:.2f} s", name, counted(stage->iterations),
+      stage->converged ? "converged" : "NOT converged: " + toString(stage->reason), stage->residual,
+      stage->energy, stage->seconds));
+  if (stage->smallestEigenvalue) {
+    const SmallestEigenvalue& e = *stage->smallestEigenvalue;
+    table.line(fmt::format("  {:<9} {}: smallest eigenvalue {:.3g}, residual {:.2g}, {}, {:.2f} s",
+                           "", toString(verdictOf(*stage)), e.value, e.residual,
+                           counted(e.iterations), e.seconds));
   }
 }
 

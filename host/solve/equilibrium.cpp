@@ -18,4 +18,10 @@ std::string toString(StopReason reason) {
   return "unknown";
 }
 
+Verdict verdictOf(const Equilibrium& equilibrium) {
+  return equilibrium.converged && equilibrium.smallestEigenvalue
+             ? verdictOf(*equilibrium.smallestEigenvalue)
+             : Verdict::undecided;
+}
+
 }  // namespace morphgrid

@@ -1,8 +1,11 @@
 #pragma once
 #include <Eigen/Core>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
+
+#include "solve/smallest_eigenvalue.h"
 
 namespace morphgrid {
 
@@ -46,6 +49,11 @@ struct Equilibrium {
   double energy = 0;
   double seconds = 0;
   std::vector<ConvergenceSample> history;
+  std::optional<SmallestEigenvalue> smallestEigenvalue;  ///< On request.
 };
+
+/// What the smallest eigenvalue says; undecided without one, and where the solver has not
+/// converged: no equilibrium is neither minimum nor saddle.
+Verdict verdictOf(const Equilibrium& equilibrium);
 
 }  // namespace morphgrid

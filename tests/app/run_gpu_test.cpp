@@ -94,6 +94,35 @@ TEST_F(Run, StripHasNoTargetAndSaysSo) {
   EXPECT_FALSE(exists("target.png"));
 }
 
+TEST_F(Run, SmallestEigenvalueTellsAMinimumFromASaddle) {
+  const std::vector<std::string> common{"run",
+                                        sceneFile("egg_chair"),
+                                        "--out",
+                                        out(),
+                                        "--smallest-eigenvalue",
+                                        "--set",
+                                        "grid.nodes_long=8",
+                                        "--set",
+                                        "output.pictures=false"};
+  std::vector<std::string> onDevice = common;
+  onDevice.emplace_back("--validate");
+  const ProcessResult run = runMorphgrid(onDevice);
+  EXPECT_EQ(run.exitCode, 0) << run.output;
+  EXPECT_THAT(run.output, HasSubstr("minimum: smallest eigenvalue"));
+  const auto json = report();
+  EXPECT_EQ(json["in_plane"]["smallest_eigenvalue"]["verdict"], "minimum");
+  EXPECT_EQ(json["full"]["smallest_eigenvalue"]["verdict"], "minimum");
+
+  std::vector<std::string> reference = common;
+  reference.insert(reference.end(), {"--set", "solver.method=reference"});
+  ASSERT_EQ(runMorphgrid(reference).exitCode, 0);
+  const auto onHost = report();
+  EXPECT_EQ(onHost["full"]["smallest_eigenvalue"]["verdict"], "minimum");
+  EXPECT_NEAR(json["full"]["smallest_eigenvalue"]["value"].get<double>() /
+                  onHost["full"]["smallest_eigenvalue"]["value"].get<double>(),
+              1, 0.05);
+}
+
 TEST_F(Run, OneLayerStopsAfterTheInPlaneStage) {
   const ProcessResult run = runMorphgrid(
       {"run", sceneFile("patch"), "--out", out(), "--validate", "--set", "grid.layers=1", "--set",

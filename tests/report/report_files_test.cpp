@@ -32,6 +32,7 @@ RunRecord sampleRecord() {
   stage.energy = 0.1 + 0.2;
   stage.history = {{16, 2.5, 1e-3, 0.25}, {32, stage.energy, 1e-10, 0.5}};
   record.inPlane = stage;
+  stage.smallestEigenvalue = {.value = 2e-5, .residual = 1e-6, .iterations = 9, .converged = true};
   record.full = stage;
   record.errors = {1, 2, 3};
   record.distance = {4, 5, 6, 7};
@@ -57,6 +58,24 @@ TEST(ReportJson, HoldsAllKeysAndRoundTrips) {
   EXPECT_EQ(json["full"]["converged"], true);
   EXPECT_EQ(json["distance_to_target"]["closest_point_max_percent"], 7);
   EXPECT_EQ(json["shrink"]["struts_over_limit"], 0);
+}
+
+TEST(ReportJson, GivesTheSmallestEigenvalueOnRequest) {
+  RunRecord record = sampleRecord();
+  auto json = nlohmann::json::parse(toJson(record));
+  EXPECT_TRUE(json["in_plane"]["smallest_eigenvalue"].is_null());
+  const auto eigenvalue = json["full"]["smallest_eigenvalue"];
+  EXPECT_EQ(eigenvalue["value"], 2e-5);
+  EXPECT_EQ(eigenvalue["residual"], 1e-6);
+  EXPECT_EQ(eigenvalue["iterations"], 9);
+  EXPECT_EQ(eigenvalue["converged"], true);
+  EXPECT_EQ(eigenvalue["verdict"], "minimum");
+  record.full->smallestEigenvalue->value = -2e-5;
+  json = nlohmann::json::parse(toJson(record));
+  EXPECT_EQ(json["full"]["smallest_eigenvalue"]["verdict"], "saddle");
+  record.full->converged = false;
+  json = nlohmann::json::parse(toJson(record));
+  EXPECT_EQ(json["full"]["smallest_eigenvalue"]["verdict"], "undecided");
 }
 
 TEST(ReportJson, ListsTheCutoffs) {
@@ -131,6 +150,11 @@ TEST(ReportTable, NamesTheNoiseOfAMesh) {
   EXPECT_THAT(toTable(record), HasSubstr("  curvature noise                   0.0625\n"));
   record.measurement->curvatureNoise.reset();
   EXPECT_THAT(toTable(record), testing::Not(HasSubstr("curvature noise")));
+}
+
+TEST(ReportTable, SaysWhatTheSmallestEigenvalueMeans) {
+  EXPECT_THAT(toTable(sampleRecord()),
+              HasSubstr("minimum: smallest eigenvalue 2e-05, residual 1e-06, 9 iterations"));
 }
 
 TEST(ReportTable, SaysWhyARunDidNotConverge) {
