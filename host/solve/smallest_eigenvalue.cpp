@@ -5,6 +5,7 @@
 #include <chrono>
 #include <random>
 
+#include "core/error.h"
 #include "core/interrupt.h"
 #include "solve/exact_hessian.h"
 
@@ -17,8 +18,9 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 using Clock = std::chrono::steady_clock;
 
-// Motions that are searched side by side: neighbouring eigenvalues then hardly slow the first.
-constexpr Index kBlock = 3;
+// Motions that are searched side by side: with two, a close second eigenvalue slows the first less;
+// more cost more than they spare.
+constexpr Index kBlock = 2;
 // Of the mean stiffness: what rounding leaves of an eigenvalue of zero.
 constexpr double kRounding = 1e-13;
 // A motion of which less than this share is left has been in the span of the others.
@@ -177,7 +179,11 @@ SmallestEigenvalue computeSmallestEigenvalue(const StrutGrid& grid, const Matrix
   const Problem problem(grid, positions, preconditioner, options.motions);
   const Index size = positions.size();
   Subspace s{MatrixXd(size, 0), MatrixXd(size, 0), VectorXd(0)};
-  s = improved(extended(s, problem.newMotions(randomMotions(size), s.motions), problem), 0);
+  const MatrixXd first = problem.newMotions(randomMotions(size), s.motions);
+  if (first.cols() == 0) {
+    throw DeviceError("the preconditioner of the eigenvalue search left the range of numbers");
+  }
+  s = improved(extended(s, first, problem), 0);
 
   SmallestEigenvalue result;
   for (;; ++result.iterations) {

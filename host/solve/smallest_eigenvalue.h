@@ -18,7 +18,7 @@ enum class Motions {
 
 struct EigenvalueOptions {
   Motions motions = Motions::inSpace;
-  double tolerance = 0.1;     ///< Bound on residual / |value|, > 0: leaves no doubt about the sign.
+  double tolerance = 0.5;     ///< Bound on residual / |value|, > 0: below 1 the sign is certain.
   long iterationLimit = 500;  ///< >= 0
 };
 
@@ -48,7 +48,8 @@ std::string toString(Verdict verdict);
 
 /// By LOBPCG (Knyazev 2001), from a fixed random start. positions: 3 x vertexCount, an equilibrium
 /// in the scene's unit of length; elsewhere rotations are no eigenvectors, but taken out all the
-/// same. Stops early when the user interrupts.
+/// same. Stops early when the user interrupts. Throws DeviceError when the preconditioner gives no
+/// numbers.
 SmallestEigenvalue computeSmallestEigenvalue(const StrutGrid& grid,
                                              const Eigen::Matrix3Xd& positions,
                                              const Preconditioner& preconditioner,

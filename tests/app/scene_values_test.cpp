@@ -70,7 +70,7 @@ TEST(SceneValues, OtherSections) {
           {"[solver]\ntolerance = 1",
            "scene.toml:7:13: solver.tolerance must be a number > 0 and < 1, got 1"},
           {"[solver]\nsmallest_eigenvalue = 1",
-           "scene.toml:7:23: solver.smallest_eigenvalue must be a boolean, got 1"},
+           "scene.toml:7:23: solver.smallest_eigenvalue must be true or false, got 1"},
           {"[solver]\niteration_limit = -1",
            "scene.toml:7:19: solver.iteration_limit must be an integer >= 0, got -1"},
           {"[output]\npictures = 1",

@@ -34,11 +34,11 @@ TEST_F(SmallestEigenvalueByMultigrid, AgreesWithTheDenseOne) {
               1e-5);
 }
 
-TEST_F(SmallestEigenvalueByMultigrid, TakesFewIterationsWhereTheConstantMatrixTakesMany) {
+TEST_F(SmallestEigenvalueByMultigrid, TakesFewIterations) {
   const StrutGrid grid = atRest(loadReferenceProblem("egg_chair").grid);
   const SmallestEigenvalue found = compute(grid, {});
   EXPECT_EQ(verdictOf(found), Verdict::minimum);
-  EXPECT_LT(found.iterations, 30);
+  EXPECT_LE(found.iterations, 10);
   const SmallestEigenvalue onHost = computeSmallestEigenvalue(
       grid, grid.positions, constantMatrixPreconditioner(grid), {.tolerance = 1e-3});
   EXPECT_NEAR(found.value / onHost.value, 1, 0.01);
