@@ -35,6 +35,9 @@ struct SolveOptions {
   /// this share of it; >= 0, 0: never.
   double energyTolerance = 1e-9;
   long iterationLimit = 200000;  ///< >= 0
+  /// Multigrid starts where the device grid's positions are, near the answer, without coarser
+  /// grids.
+  bool startsNear = false;
   /// Called now and then with the newest sample; may be empty.
   std::function<void(const ConvergenceSample&)> onProgress;
 };

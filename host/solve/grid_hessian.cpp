@@ -1,6 +1,7 @@
 #include "solve/grid_hessian.h"
 
 #include "shared/hessian_types.h"
+#include "solve/exact_product_comp.h"
 #include "solve/hessian_blocks_comp.h"
 #include "solve/hessian_first_smoothing_comp.h"
 #include "solve/hessian_product_comp.h"
@@ -29,6 +30,7 @@ GridHessian::GridHessian(const Device& device, const DeviceGrid& grid)
       inverseDiagonal_(device, shape_.vertexCount()),
       inverseOffDiagonal_(device, shape_.vertexCount()),
       products_(device, hessian_product_comp_spirv, sizeof(HessianPush), walk_.constants()),
+      exactProducts_(device, exact_product_comp_spirv, sizeof(HessianPush), walk_.constants()),
       residuals_(device, hessian_residual_comp_spirv, sizeof(HessianPush), walk_.constants()),
       smoothings_(device, hessian_smoothing_comp_spirv, sizeof(HessianPush), walk_.constants()),
       firstSmoothings_(device, hessian_first_smoothing_comp_spirv, sizeof(HessianPush), {}),
@@ -53,6 +55,10 @@ GridHessian::Step GridHessian::columnStep(KernelFamily& kernels, const VertexVec
 
 GridHessian::Step GridHessian::product(const VertexVector& z, const VertexVector& y) {
   return columnStep(products_, z, y, {});
+}
+
+GridHessian::Step GridHessian::exactProduct(const VertexVector& z, const VertexVector& y) {
+  return columnStep(exactProducts_, z, y, {});
 }
 
 GridHessian::Step GridHessian::residual(const VertexVector& z, const VertexVector& b,

@@ -36,6 +36,8 @@ class GridHessian {
 
   /// y = H z
   Step product(const VertexVector& z, const VertexVector& y);
+  /// y = H z with the exact Hessian of the energy, which may be indefinite (see ExactHessian).
+  Step exactProduct(const VertexVector& z, const VertexVector& y);
   /// r = b - H z
   Step residual(const VertexVector& z, const VertexVector& b, const VertexVector& r);
   /// next = z + omega D^-1 (b - H z), D the 3 x 3 blocks on the diagonal of H.
@@ -72,6 +74,7 @@ class GridHessian {
   double damping_ = 0;
   double smoothingWeight_ = 2 / kSpectralRadiusBound;
   KernelFamily products_;
+  KernelFamily exactProducts_;
   KernelFamily residuals_;
   KernelFamily smoothings_;
   KernelFamily firstSmoothings_;

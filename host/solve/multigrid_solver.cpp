@@ -168,15 +168,18 @@ StopReason solveFinest(PreconditionedDescent& descent, const SolveOptions& optio
 
 Equilibrium solveMultigrid(const Device& device, const StrutGrid& grid, DeviceGrid& deviceGrid,
                            const SolveOptions& options) {
-  const std::vector<NestedGrid> grids = nestGrids(grid);
+  const std::vector<NestedGrid> grids =
+      options.startsNear ? std::vector<NestedGrid>{{grid, 1}} : nestGrids(grid);
   Progress progress(options, grids);
-  Eigen::Matrix3Xd positions = grids.front().grid.positions;
-  for (std::size_t n = 0; n + 1 < grids.size(); ++n) {
-    StrutGrid coarse = grids[n].grid;
-    coarse.positions = positions;
-    positions = prolong(grids[n], solveCoarse(device, coarse, progress), grids[n + 1]);
+  if (!options.startsNear) {
+    Eigen::Matrix3Xd positions = grids.front().grid.positions;
+    for (std::size_t n = 0; n + 1 < grids.size(); ++n) {
+      StrutGrid coarse = grids[n].grid;
+      coarse.positions = positions;
+      positions = prolong(grids[n], solveCoarse(device, coarse, progress), grids[n + 1]);
+    }
+    deviceGrid.uploadPositions(positions);
   }
-  deviceGrid.uploadPositions(positions);
 
   PreconditionedDescent descent(device, deviceGrid, precisionOf(device));
   progress.beginGrid(grid);

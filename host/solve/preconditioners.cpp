@@ -25,20 +25,9 @@ class VCycleSolve {
   }
 
   Matrix3Xd operator()(const Matrix3Xd& right) {
-    std::vector<vec4> packed;
-    packed.reserve(static_cast<std::size_t>(right.cols()));
-    for (const auto& r : right.colwise()) {
-      packed.emplace_back(r.x(), r.y(), r.z(), 0);
-    }
-    upload(device_, rightSide_.buffer(), packed);
+    rightSide_.upload(device_, right);
     stream_.submitAndWait();
-    packed = download<vec4>(device_, correction_.buffer(), packed.size());
-    Matrix3Xd correction(3, right.cols());
-    for (Eigen::Index n = 0; n < correction.cols(); ++n) {
-      const vec4& c = packed[static_cast<std::size_t>(n)];
-      correction.col(n) << c.x, c.y, c.z;
-    }
-    return correction;
+    return correction_.download(device_);
   }
 
  private:

@@ -19,6 +19,9 @@ class VCycle {
 
   void record(CommandStream& stream) const;
 
+  /// At the positions of the last linearise().
+  GridHessian& hessian() { return hessian_; }
+
  private:
   VertexVector residual_;
   VertexVector smoothed_;

@@ -1,4 +1,6 @@
 #pragma once
+#include <Eigen/Core>
+
 #include "gpu/buffer.h"
 
 namespace morphgrid {
@@ -9,6 +11,10 @@ class VertexVector {
  public:
   /// Throws DeviceError when it exceeds the device's limits.
   VertexVector(const Device& device, int vertexCount);
+
+  /// values: 3 x vertexCount. Both wait.
+  void upload(const Device& device, const Eigen::Matrix3Xd& values) const;
+  Eigen::Matrix3Xd download(const Device& device) const;
 
   const Buffer& buffer() const { return buffer_; }
   const TexelView& texels() const { return texels_; }

@@ -7,6 +7,7 @@
 //   kMeasure           whether energies are wanted, added up in a Sum
 //   GRID               where its GridPush is
 //   Vertex, Edge       what is known of a vertex and of an edge; kNoEdge: the zero vector
+//   Own                float, or a vector: what corners do to their edges that is the edges' own
 //   Corner             own, other, energy: what it does to its edges, per angle weight
 //   Pull               what a strut does to its edge, with its energy; kNoPull: nothing
 // and defines the functions that are declared below.
@@ -25,16 +26,19 @@ layout(binding = kBindingPositions, rgba32i) readonly uniform iimageBuffer posit
 layout(binding = kBindingRest, rgba32i) readonly uniform iimageBuffer restLengths;
 layout(binding = kBindingStiffness, rgba32f) readonly uniform imageBuffer stiffnesses;
 
-// Gradient of the corners with respect to an edge: per angle weight, own edge + others.
+// Gradient of the corners with respect to an edge: per angle weight, what `own` makes of the edge and
+// the others.
 struct Turn {
-  float own;
+  Own own;
   vec3 others;
 };
-const Turn kNoTurn = Turn(0.0, vec3(0));
+const Turn kNoTurn = Turn(Own(0), vec3(0));
 
 Vertex vertexAt(int index);
 Edge edgeBetween(Vertex from, Vertex to);
 Corner cornerOf(Edge a, Edge b);
+// What a corner adds to the gradient with respect to the one edge because of the other.
+vec3 othersOf(Corner corner, Edge other);
 Pull pullOf(Edge e, int rest, float stiffness);
 vec3 edgeGradient(Edge e, Pull pull, Turn turn);
 // The vertex's gradient is complete; what is not `owned` must not be stored.
@@ -101,8 +105,8 @@ void turnBoth(bool counted, Edge a, Edge b, inout Turn turnOfA, inout Turn turnO
   Corner corner = cornerOf(a, b);
   turnOfA.own += corner.own;
   turnOfB.own += corner.own;
-  turnOfA.others += corner.other * vec3(b.arm);
-  turnOfB.others += corner.other * vec3(a.arm);
+  turnOfA.others += othersOf(corner, b);
+  turnOfB.others += othersOf(corner, a);
   if (kMeasure) {
     energy += counted ? Sum(GRID.angleWeight * corner.energy) : Sum(0);
   }
@@ -112,7 +116,7 @@ void turnBoth(bool counted, Edge a, Edge b, inout Turn turnOfA, inout Turn turnO
 void turnOne(Edge a, Edge b, inout Turn turnOfA) {
   Corner corner = cornerOf(a, b);
   turnOfA.own += corner.own;
-  turnOfA.others += corner.other * vec3(b.arm);
+  turnOfA.others += othersOf(corner, b);
 }
 
 void turnWithin() {

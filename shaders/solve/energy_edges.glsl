@@ -15,6 +15,7 @@ struct Pull {
 const Edge kNoEdge = Edge(Arm(0), Squared(0), 0.0);
 const Pull kNoPull = Pull(0.0, Squared(0));
 
+#define Own float
 #include "solve/columns.glsl"
 
 Vertex vertexAt(int index) { return imageLoad(positions, index); }
@@ -22,6 +23,8 @@ Vertex vertexAt(int index) { return imageLoad(positions, index); }
 Edge edgeBetween(Vertex from, Vertex to) { return edgeBetween(from, to, GRID.resolution); }
 
 Corner cornerOf(Edge a, Edge b) { return projectCorner(a, b); }
+
+vec3 othersOf(Corner corner, Edge other) { return corner.other * vec3(other.arm); }
 
 // The gradient per edge: 2 w c (1 - L / |e|).
 Pull pullOf(Edge e, int rest, float stiffness) {

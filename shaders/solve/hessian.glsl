@@ -1,5 +1,6 @@
-// The Gauss-Newton Hessian H at `positions`, applied to a vector z without ever being stored. An
-// including kernel defines finish(), which gets a vertex's part of H z as its gradient.
+// The Gauss-Newton Hessian H at `positions`, applied to a vector z without ever being stored; with
+// EXACT the Hessian itself, which may be indefinite. An including kernel defines finish(), which gets a
+// vertex's part of H z as its gradient.
 #include "shared/hessian_types.h"
 #include "solve/arm.glsl"
 #include "solve/corner_derivative.glsl"
@@ -24,9 +25,15 @@ struct Edge {
   float along;  // arm . change
 };
 
+#ifdef EXACT
+#define Own vec2  // times the edge, and times its change
+#else
+#define Own float
+#endif
+
 struct Corner {
-  float own;
-  float other;
+  Own own;
+  Own other;
   float energy;
 };
 
@@ -56,6 +63,24 @@ Edge edgeBetween(Vertex from, Vertex to) {
   return Edge(arm, 0.5 * dot(arm, arm) + kNoLength, change, dot(arm, change));
 }
 
+#ifdef EXACT
+// The change of the gradient own a + other b (corner.glsl): with r = 1 / sqrt(t^2 - s^2) and
+// m = r^3 (t s' - s t'), own' = -s m and other' = t m.
+Corner cornerOf(Edge a, Edge b) {
+  float s = dot(a.arm, b.arm);
+  float t = a.halfSquare + b.halfSquare;
+  float r = inversesqrt(abs((t - s) * (t + s)) + kLeastSine2 * t * t);
+  float other = s * r;
+  float own = -other * other / (1.0 + t * r);
+  float across = dot(a.arm, b.change) + dot(b.arm, a.change);
+  float m = r * r * r * (t * across - s * (a.along + b.along));
+  return Corner(vec2(-s * m, own), vec2(t * m, other), 0.0);
+}
+
+vec3 othersOf(Corner corner, Edge other) {
+  return corner.other.x * other.arm + corner.other.y * other.change;
+}
+#else
 // 2 J^T J z with respect to a is own a + other b.
 Corner cornerOf(Edge a, Edge b) {
   CornerDerivative d = differentiateCorner(a.arm, b.arm, a.halfSquare, b.halfSquare);
@@ -65,17 +90,30 @@ Corner cornerOf(Edge a, Edge b) {
   return Corner(-share * other, other, 0.0);
 }
 
-// 2 c (n n^T + k (I - n n^T)) with k = max(0, 1 - L / l): what compression would subtract is left out,
-// so that H is positive semidefinite.
+vec3 othersOf(Corner corner, Edge other) { return corner.other * other.arm; }
+#endif
+
+// 2 c (n n^T + k (I - n n^T)) with k = 1 - L / l. Gauss-Newton leaves out what compression would
+// subtract, so that H is positive semidefinite.
 Pull pullOf(Edge e, int rest, float stiffness) {
   float inverseLength = inversesqrt(2.0 * e.halfSquare);
-  float stretch = max(0.0, 1.0 - float(rest) * GRID.restResolution * inverseLength);
+  float stretch = 1.0 - float(rest) * GRID.restResolution * inverseLength;
+#ifndef EXACT
+  stretch = max(0.0, stretch);
+#endif
   float perEdge = 2.0 * stiffness * (1.0 - stretch) * inverseLength * inverseLength * e.along;
   return Pull(perEdge, 2.0 * stiffness * stretch + push.damping, 0.0);
 }
 
 vec3 edgeGradient(Edge e, Pull pull, Turn turn) {
-  return (pull.perEdge + GRID.angleWeight * turn.own) * e.arm + pull.perChange * e.change +
+#ifdef EXACT
+  float perChange = pull.perChange + GRID.angleWeight * turn.own.y;
+  float turnOfEdge = turn.own.x;
+#else
+  float perChange = pull.perChange;
+  float turnOfEdge = turn.own;
+#endif
+  return (pull.perEdge + GRID.angleWeight * turnOfEdge) * e.arm + perChange * e.change +
          GRID.angleWeight * turn.others;
 }
 

@@ -6,6 +6,7 @@
 #include <Eigen/Eigenvalues>
 #include <random>
 
+#include "solve/exact_hessian.h"
 #include "tests/solve/dense_hessian.h"
 #include "tests/solve/sample_grids.h"
 #include "tests/solve/vertex_vectors.h"
@@ -93,6 +94,16 @@ TEST_P(GridHessianTest, ProductIsTheDenseOne) {
   const VertexVector y = vector();
   run({hessian_.product(x, y)});
   expectClose(values(y), dense_ * x_);
+}
+
+TEST_P(GridHessianTest, ExactProductIsTheOracles) {
+  const VertexVector x = vector(x_);
+  const VertexVector y = vector();
+  run({hessian_.exactProduct(x, y)});
+  const StrutEnergy energy(grid_);
+  const Matrix3Xd motion = Matrix3Xd::Map(x_.data(), 3, vertexCount());
+  const Matrix3Xd expected = ExactHessian(grid_, energy, grid_.positions).product(motion);
+  expectClose(values(y), expected.reshaped());
 }
 
 TEST_P(GridHessianTest, ResidualIsTheDenseOne) {

@@ -1,0 +1,33 @@
+#pragma once
+#include <Eigen/Core>
+#include <vector>
+
+#include "grid/strut_grid.h"
+
+namespace morphgrid {
+
+/// The rest lengths that inverse design may choose, one a lateral strut, as a vector in the order
+/// of struts(). Vertical struts stay as they are.
+class LateralRest {
+ public:
+  explicit LateralRest(const GridShape& shape);
+
+  const std::vector<Strut>& struts() const { return struts_; }
+  Eigen::Index size() const { return static_cast<Eigen::Index>(struts_.size()); }
+
+  Eigen::VectorXd of(const StrutGrid& grid) const;
+  void set(StrutGrid& grid, const Eigen::VectorXd& lengths) const;
+
+  /// Distances of the struts' ends. positions: 3 x vertexCount.
+  Eigen::VectorXd lengthsAt(const Eigen::Matrix3Xd& positions) const;
+
+  /// dJ/dL of J(x(L)), x the equilibrium of the grid: `2 c n . (lambda_to - lambda_from)`, n the
+  /// strut's unit vector, H lambda = dJ/dx with H the exact Hessian of the energy.
+  Eigen::VectorXd gradient(const StrutGrid& grid, const Eigen::Matrix3Xd& equilibrium,
+                           const Eigen::Matrix3Xd& lambda) const;
+
+ private:
+  std::vector<Strut> struts_;
+};
+
+}  // namespace morphgrid

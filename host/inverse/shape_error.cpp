@@ -1,0 +1,29 @@
+#include "inverse/shape_error.h"
+
+#include <cmath>
+
+#include "core/rigid_alignment.h"
+
+namespace morphgrid {
+
+using Eigen::Matrix3Xd;
+
+ShapeError computeShapeError(const GridShape& shape, const Matrix3Xd& positions,
+                             const Matrix3Xd& targets) {
+  const Matrix3Xd middle = middleLayer(shape, positions);
+  const Matrix3Xd offsets = middle - alignRigidly(targets, middle) * targets;
+  const double diagonal = (targets.rowwise().maxCoeff() - targets.rowwise().minCoeff()).norm();
+  ShapeError error{0.5 * offsets.squaredNorm(),
+                   100 / diagonal * std::sqrt(offsets.colwise().squaredNorm().mean()),
+                   100 / diagonal * std::sqrt(offsets.colwise().squaredNorm().maxCoeff()),
+                   Matrix3Xd::Zero(3, positions.cols())};
+  // The middle layer is one layer, or the mean of two.
+  const int count = shape.layerVertexCount();
+  const int below = (shape.layers - 1) / 2;
+  const int above = shape.layers / 2;
+  error.gradient.middleCols(below * count, count) += 0.5 * offsets;
+  error.gradient.middleCols(above * count, count) += 0.5 * offsets;
+  return error;
+}
+
+}  // namespace morphgrid
