@@ -223,6 +223,7 @@ std::vector<DeviceSummary> listDevices() {
 
 Device::Device(const DeviceOptions& options)
     : messages_(std::make_unique<std::vector<std::string>>()),
+      memoryUse_(std::make_unique<MemoryUse>()),
       context_(loadVulkan()),
       instance_(createInstance(context_, options.validation)),
       messenger_(createMessenger(instance_, options.validation, messages_.get())),

@@ -5,6 +5,8 @@
 #include <vector>
 #include <vulkan/vulkan_raii.hpp>
 
+#include "gpu/memory_use.h"
+
 namespace morphgrid {
 
 class KernelPrograms;
@@ -50,6 +52,9 @@ class Device {
   /// The index of a memory type with these properties; throws DeviceError when there is none.
   std::uint32_t memoryType(std::uint32_t allowedBits, vk::MemoryPropertyFlags wanted) const;
 
+  /// Of its buffers, host-visible ones too, as the driver rounds their sizes.
+  MemoryUse& memoryUse() const { return *memoryUse_; }
+
   /// Compiled for this device so far.
   KernelPrograms& programs() const { return *programs_; }
 
@@ -59,6 +64,7 @@ class Device {
  private:
   // Behind a pointer: the layers' callback keeps its address when the Device moves.
   std::unique_ptr<std::vector<std::string>> messages_;
+  std::unique_ptr<MemoryUse> memoryUse_;  // Buffers keep its address.
   vk::raii::Context context_;
   vk::raii::Instance instance_;
   vk::raii::DebugUtilsMessengerEXT messenger_;
