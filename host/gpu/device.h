@@ -9,6 +9,7 @@
 
 namespace morphgrid {
 
+class KernelProfile;
 class KernelPrograms;
 
 struct DeviceSummary {
@@ -26,6 +27,8 @@ struct DeviceOptions {
   std::string selection;
   /// Core and synchronization validation; messages are collected in validationMessages().
   bool validation = false;
+  /// Whether to time every call on the device, which costs a little; see Device::profile().
+  bool profile = false;
   /// Bytes of a storage buffer that shaders reach, at most: for tests of what does not fit.
   std::uint32_t largestStorageBuffer = std::numeric_limits<std::uint32_t>::max();
 };
@@ -55,6 +58,9 @@ class Device {
   /// Of its buffers, host-visible ones too, as the driver rounds their sizes.
   MemoryUse& memoryUse() const { return *memoryUse_; }
 
+  /// Times of all calls since it was last cleared; null unless DeviceOptions::profile.
+  KernelProfile* profile() const { return profile_.get(); }
+
   /// Compiled for this device so far.
   KernelPrograms& programs() const { return *programs_; }
 
@@ -76,6 +82,7 @@ class Device {
   vk::raii::Device device_;
   vk::raii::Queue queue_;
   std::shared_ptr<KernelPrograms> programs_;
+  std::shared_ptr<KernelProfile> profile_;
 };
 
 }  // namespace morphgrid
