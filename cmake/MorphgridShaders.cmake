@@ -1,5 +1,5 @@
 # morphgrid_shaders(TARGET FOLDER): compiles shaders/FOLDER/*.{comp,vert,frag} to SPIR-V, embedded as
-# C arrays in headers `FOLDER/NAME_STAGE.h` (array `NAME_STAGE_spirv`), rebuilt when an include changes.
+# headers `FOLDER/NAME_STAGE.h` (ShaderCode `NAME_STAGE_spirv`), rebuilt when an include changes.
 # spirv-opt unrolls loops: Mesa's own passes need three times as long for it at every start of a program,
 # and leave arrays in memory, 15 times slower, where they cannot count a loop.
 find_program(GLSLANG_VALIDATOR glslangValidator REQUIRED)
@@ -27,7 +27,7 @@ function(morphgrid_shaders target folder)
     add_custom_command(
       OUTPUT ${header}
       COMMAND ${SPIRV_OPT} --target-env=vulkan1.2 -O ${plain} -o ${optimised}
-      COMMAND ${CMAKE_COMMAND} -DINPUT=${optimised} -DOUTPUT=${header} -DARRAY=${name}_spirv
+      COMMAND ${CMAKE_COMMAND} -DINPUT=${optimised} -DOUTPUT=${header} -DNAME=${file} -DVARIABLE=${name}_spirv
               -P ${CMAKE_SOURCE_DIR}/cmake/EmbedSpirv.cmake
       DEPENDS ${plain} ${CMAKE_SOURCE_DIR}/cmake/EmbedSpirv.cmake
       COMMENT "Optimising shaders/${folder}/${file}"

@@ -30,6 +30,7 @@ Buffer::Buffer(const Device& device, vk::DeviceSize bytes, vk::BufferUsageFlags 
     memory_ = vk::raii::DeviceMemory(
         device.handle(), vk::MemoryAllocateInfo(needs.size, device.memoryType(needs.memoryTypeBits,
                                                                               propertiesOf(kind))));
+    counted_ = device.memoryUse().hold(needs.size);
     buffer_.bindMemory(*memory_, 0);
     if (kind == MemoryKind::host) {
       mapped_ = memory_.mapMemory(0, VK_WHOLE_SIZE);

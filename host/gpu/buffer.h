@@ -30,6 +30,7 @@ class Buffer {
   vk::DeviceSize bytes_;
   vk::raii::Buffer buffer_ = nullptr;
   vk::raii::DeviceMemory memory_ = nullptr;
+  std::shared_ptr<const void> counted_;  ///< In the device's use of memory.
   void* mapped_ = nullptr;
 };
 

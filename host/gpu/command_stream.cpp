@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <chrono>
 #include <limits>
 
 #include "core/error.h"
@@ -17,11 +18,17 @@ CommandStream::CommandStream(const Device& device) : device_(device) {
                                                     *pool_, vk::CommandBufferLevel::ePrimary, 1))
           .front());
   fence_ = vk::raii::Fence(device.handle(), vk::FenceCreateInfo());
+  if (device.profile()) {
+    timer_.emplace(device);
+  }
 }
 
 void CommandStream::begin() {
   commands_.reset();
   commands_.begin(vk::CommandBufferBeginInfo());
+  if (timer_) {
+    timer_->forget();
+  }
 }
 
 void CommandStream::orderAfterPrevious() {
@@ -37,7 +44,6 @@ void CommandStream::orderAfterPrevious() {
 void CommandStream::dispatchBytes(const ComputeKernel& kernel, const void* push,
                                   std::uint32_t pushBytes, std::uint32_t groupsX,
                                   std::uint32_t groupsY, std::uint32_t groupsZ) {
-  orderAfterPrevious();
   commands_.bindPipeline(vk::PipelineBindPoint::eCompute, kernel.pipeline());
   commands_.bindDescriptorSets(vk::PipelineBindPoint::eCompute, kernel.layout(), 0,
                                kernel.descriptorSet(), {});
@@ -46,13 +52,14 @@ void CommandStream::dispatchBytes(const ComputeKernel& kernel, const void* push,
         kernel.layout(), vk::ShaderStageFlagBits::eCompute, 0,
         vk::ArrayProxy<const std::byte>(pushBytes, static_cast<const std::byte*>(push)));
   }
-  commands_.dispatch(groupsX, groupsY, groupsZ);
+  recordTimed(kernel.name(), [&] { commands_.dispatch(groupsX, groupsY, groupsZ); });
 }
 
 void CommandStream::copy(const Buffer& from, const Buffer& to, vk::DeviceSize bytes,
                          vk::DeviceSize fromOffset) {
-  orderAfterPrevious();
-  commands_.copyBuffer(from.handle(), to.handle(), vk::BufferCopy(fromOffset, 0, bytes));
+  recordTimed("copy", [&] {
+    commands_.copyBuffer(from.handle(), to.handle(), vk::BufferCopy(fromOffset, 0, bytes));
+  });
 }
 
 void CommandStream::end() {
@@ -65,6 +72,7 @@ void CommandStream::end() {
 }
 
 void CommandStream::submitAndWait() {
+  const auto start = std::chrono::steady_clock::now();
   try {
     device_.queue().submit(vk::SubmitInfo({}, {}, *commands_), *fence_);
     const auto forever = std::numeric_limits<std::uint64_t>::max();
@@ -72,6 +80,11 @@ void CommandStream::submitAndWait() {
       throw DeviceError(fmt::format("device {} did not finish its work", device_.name()));
     }
     device_.handle().resetFences(*fence_);
+    if (timer_) {
+      const std::chrono::duration<double> waited = std::chrono::steady_clock::now() - start;
+      device_.profile()->addSubmission(waited.count());
+      timer_->collect(*device_.profile());
+    }
   } catch (const vk::SystemError& error) {
     throw DeviceError(fmt::format("device {} failed: {}", device_.name(), error.what()));
   }

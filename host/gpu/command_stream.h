@@ -1,4 +1,5 @@
 #pragma once
+#include "gpu/call_timer.h"
 #include "gpu/compute_kernel.h"
 
 namespace morphgrid {
@@ -18,6 +19,11 @@ class CommandStream {
     dispatchBytes(kernel, &push, sizeof(Push), groupsX, groupsY, groupsZ);
   }
 
+  /// Without push constants.
+  void dispatch(const ComputeKernel& kernel, std::uint32_t groupsX) {
+    dispatchBytes(kernel, nullptr, 0, groupsX, 1, 1);
+  }
+
   void copy(const Buffer& from, const Buffer& to, vk::DeviceSize bytes,
             vk::DeviceSize fromOffset = 0);
   void end();
@@ -32,11 +38,24 @@ class CommandStream {
   void dispatchBytes(const ComputeKernel& kernel, const void* push, std::uint32_t pushBytes,
                      std::uint32_t groupsX, std::uint32_t groupsY, std::uint32_t groupsZ);
   void orderAfterPrevious();
+  /// record(): one command, timed where the device keeps a profile.
+  template <typename Record>
+  void recordTimed(const char* name, Record record) {
+    orderAfterPrevious();
+    if (timer_) {
+      timer_->recordStart(commands_, name);
+    }
+    record();
+    if (timer_) {
+      timer_->recordEnd(commands_);
+    }
+  }
 
   const Device& device_;
   vk::raii::CommandPool pool_ = nullptr;
   vk::raii::CommandBuffer commands_ = nullptr;
   vk::raii::Fence fence_ = nullptr;
+  std::optional<CallTimer> timer_;
 };
 
 /// Fills a device buffer with `data`, through a staging buffer.

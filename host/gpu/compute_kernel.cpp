@@ -5,7 +5,7 @@
 #include "core/error.h"
 
 namespace morphgrid {
-ComputeKernel::ComputeKernel(const Device& device, std::span<const std::uint32_t> spirv,
+ComputeKernel::ComputeKernel(const Device& device, ShaderCode spirv,
                              const std::vector<KernelResource>& resources,
                              std::uint32_t pushConstantBytes,
                              const std::vector<std::uint32_t>& specialization) {

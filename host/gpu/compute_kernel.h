@@ -1,7 +1,6 @@
 #pragma once
 #include <memory>
 #include <optional>
-#include <span>
 
 #include "gpu/kernel_program.h"
 
@@ -13,7 +12,7 @@ class ComputeKernel {
  public:
   /// spirv: static data. specialization: the values of constant_id 0, 1, ... Throws DeviceError
   /// when the device refuses.
-  ComputeKernel(const Device& device, std::span<const std::uint32_t> spirv,
+  ComputeKernel(const Device& device, ShaderCode spirv,
                 const std::vector<KernelResource>& resources, std::uint32_t pushConstantBytes,
                 const std::vector<std::uint32_t>& specialization = {});
 
@@ -21,6 +20,7 @@ class ComputeKernel {
   ComputeKernel(const Device& device, const ComputeKernel& like,
                 const std::vector<KernelResource>& resources);
 
+  const char* name() const { return program_->name; }
   vk::Pipeline pipeline() const { return *program_->pipeline; }
   vk::PipelineLayout layout() const { return *program_->layout; }
   vk::DescriptorSet descriptorSet() const { return resources_->handle(); }

@@ -1,7 +1,5 @@
 #include "gpu/device.h"
 
-#include "gpu/kernel_program.h"
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -10,6 +8,8 @@
 #include <optional>
 
 #include "core/error.h"
+#include "gpu/kernel_profile.h"
+#include "gpu/kernel_program.h"
 
 namespace morphgrid {
 namespace {
@@ -207,6 +207,15 @@ vk::raii::Device createDevice(const vk::raii::PhysicalDevice& physical, std::uin
   }
 }
 
+std::shared_ptr<KernelProfile> createProfile(const vk::raii::PhysicalDevice& physical,
+                                             std::uint32_t queueFamily) {
+  if (physical.getQueueFamilyProperties()[queueFamily].timestampValidBits == 0) {
+    throw DeviceError(fmt::format("device {} has no timestamps: its calls cannot be timed",
+                                  physical.getProperties().deviceName.data()));
+  }
+  return std::make_shared<KernelProfile>();
+}
+
 }  // namespace
 
 std::vector<DeviceSummary> listDevices() {
@@ -223,6 +232,7 @@ std::vector<DeviceSummary> listDevices() {
 
 Device::Device(const DeviceOptions& options)
     : messages_(std::make_unique<std::vector<std::string>>()),
+      memoryUse_(std::make_unique<MemoryUse>()),
       context_(loadVulkan()),
       instance_(createInstance(context_, options.validation)),
       messenger_(createMessenger(instance_, options.validation, messages_.get())),
@@ -233,7 +243,8 @@ Device::Device(const DeviceOptions& options)
       subgroupSize_(subgroupSizeOf(physical_)),
       device_(createDevice(physical_, queueFamily_, hasFloat64_)),
       queue_(device_, queueFamily_, 0),
-      programs_(std::make_shared<KernelPrograms>()) {}
+      programs_(std::make_shared<KernelPrograms>()),
+      profile_(options.profile ? createProfile(physical_, queueFamily_) : nullptr) {}
 
 std::uint32_t Device::memoryType(std::uint32_t allowedBits, vk::MemoryPropertyFlags wanted) const {
   const auto memory = physical_.getMemoryProperties();

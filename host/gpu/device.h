@@ -5,8 +5,11 @@
 #include <vector>
 #include <vulkan/vulkan_raii.hpp>
 
+#include "gpu/memory_use.h"
+
 namespace morphgrid {
 
+class KernelProfile;
 class KernelPrograms;
 
 struct DeviceSummary {
@@ -24,6 +27,8 @@ struct DeviceOptions {
   std::string selection;
   /// Core and synchronization validation; messages are collected in validationMessages().
   bool validation = false;
+  /// Whether to time every call on the device, which costs a little; see Device::profile().
+  bool profile = false;
   /// Bytes of a storage buffer that shaders reach, at most: for tests of what does not fit.
   std::uint32_t largestStorageBuffer = std::numeric_limits<std::uint32_t>::max();
 };
@@ -50,6 +55,12 @@ class Device {
   /// The index of a memory type with these properties; throws DeviceError when there is none.
   std::uint32_t memoryType(std::uint32_t allowedBits, vk::MemoryPropertyFlags wanted) const;
 
+  /// Of its buffers, host-visible ones too, as the driver rounds their sizes.
+  MemoryUse& memoryUse() const { return *memoryUse_; }
+
+  /// Times of all calls since it was last cleared; null unless DeviceOptions::profile.
+  KernelProfile* profile() const { return profile_.get(); }
+
   /// Compiled for this device so far.
   KernelPrograms& programs() const { return *programs_; }
 
@@ -59,6 +70,7 @@ class Device {
  private:
   // Behind a pointer: the layers' callback keeps its address when the Device moves.
   std::unique_ptr<std::vector<std::string>> messages_;
+  std::unique_ptr<MemoryUse> memoryUse_;  // Buffers keep its address.
   vk::raii::Context context_;
   vk::raii::Instance instance_;
   vk::raii::DebugUtilsMessengerEXT messenger_;
@@ -70,6 +82,7 @@ class Device {
   vk::raii::Device device_;
   vk::raii::Queue queue_;
   std::shared_ptr<KernelPrograms> programs_;
+  std::shared_ptr<KernelProfile> profile_;
 };
 
 }  // namespace morphgrid

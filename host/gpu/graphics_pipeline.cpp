@@ -9,8 +9,9 @@
 namespace morphgrid {
 namespace {
 
-vk::raii::ShaderModule createModule(const Device& device, std::span<const std::uint32_t> spirv) {
-  return {device.handle(), vk::ShaderModuleCreateInfo({}, spirv.size_bytes(), spirv.data())};
+vk::raii::ShaderModule createModule(const Device& device, ShaderCode spirv) {
+  return {device.handle(),
+          vk::ShaderModuleCreateInfo({}, spirv.words.size_bytes(), spirv.words.data())};
 }
 
 vk::PipelineColorBlendAttachmentState opaque() {
@@ -24,8 +25,8 @@ vk::raii::Pipeline createPipeline(const Device& device, const ShaderPair& shader
                                   vk::PipelineLayout layout, vk::RenderPass renderPass,
                                   vk::SampleCountFlagBits samples) {
   using Stage = vk::ShaderStageFlagBits;
-  const vk::raii::ShaderModule vertex = createModule(device, shaders.vertexSpirv);
-  const vk::raii::ShaderModule fragment = createModule(device, shaders.fragmentSpirv);
+  const vk::raii::ShaderModule vertex = createModule(device, shaders.vertex);
+  const vk::raii::ShaderModule fragment = createModule(device, shaders.fragment);
   const std::array stages = {
       vk::PipelineShaderStageCreateInfo({}, Stage::eVertex, *vertex, "main"),
       vk::PipelineShaderStageCreateInfo({}, Stage::eFragment, *fragment, "main")};

@@ -1,13 +1,13 @@
 #pragma once
-#include <span>
 
 #include "gpu/resource_set.h"
+#include "gpu/shader_code.h"
 
 namespace morphgrid {
 
 struct ShaderPair {
-  std::span<const std::uint32_t> vertexSpirv;
-  std::span<const std::uint32_t> fragmentSpirv;
+  ShaderCode vertex;
+  ShaderCode fragment;
 };
 
 /// Draws triangles, front and back, with a depth test. There are no vertex attributes: the vertex

@@ -3,11 +3,11 @@
 namespace morphgrid {
 namespace {
 
-vk::raii::Pipeline createPipeline(const Device& device, std::span<const std::uint32_t> spirv,
-                                  vk::PipelineLayout layout,
+vk::raii::Pipeline createPipeline(const Device& device, ShaderCode spirv, vk::PipelineLayout layout,
                                   const std::vector<std::uint32_t>& specialization) {
   const vk::raii::ShaderModule module(
-      device.handle(), vk::ShaderModuleCreateInfo({}, spirv.size_bytes(), spirv.data()));
+      device.handle(),
+      vk::ShaderModuleCreateInfo({}, spirv.words.size_bytes(), spirv.words.data()));
   std::vector<vk::SpecializationMapEntry> entries;
   for (std::uint32_t n = 0; n < specialization.size(); ++n) {
     entries.emplace_back(n, static_cast<std::uint32_t>(n * sizeof(std::uint32_t)),
@@ -21,10 +21,10 @@ vk::raii::Pipeline createPipeline(const Device& device, std::span<const std::uin
   return {device.handle(), nullptr, vk::ComputePipelineCreateInfo({}, stage, layout)};
 }
 
-KernelProgram compile(const Device& device, std::span<const std::uint32_t> spirv,
+KernelProgram compile(const Device& device, ShaderCode spirv,
                       const std::vector<ResourceSlot>& slots, std::uint32_t pushConstantBytes,
                       const std::vector<std::uint32_t>& specialization) {
-  KernelProgram program;
+  KernelProgram program{.name = spirv.name};
   program.setLayout = createSetLayout(device, slots, vk::ShaderStageFlagBits::eCompute);
   const vk::PushConstantRange push(vk::ShaderStageFlagBits::eCompute, 0, pushConstantBytes);
   program.layout = vk::raii::PipelineLayout(
@@ -37,11 +37,10 @@ KernelProgram compile(const Device& device, std::span<const std::uint32_t> spirv
 }  // namespace
 
 std::shared_ptr<const KernelProgram> KernelPrograms::find(
-    const Device& device, std::span<const std::uint32_t> spirv,
-    const std::vector<ResourceSlot>& slots, std::uint32_t pushConstantBytes,
-    const std::vector<std::uint32_t>& specialization) {
+    const Device& device, ShaderCode spirv, const std::vector<ResourceSlot>& slots,
+    std::uint32_t pushConstantBytes, const std::vector<std::uint32_t>& specialization) {
   std::shared_ptr<const KernelProgram>& program =
-      programs_[Key(spirv.data(), slots, specialization)];
+      programs_[Key(spirv.words.data(), slots, specialization)];
   if (!program) {
     program = std::make_shared<const KernelProgram>(
         compile(device, spirv, slots, pushConstantBytes, specialization));

@@ -1,16 +1,17 @@
 #pragma once
 #include <map>
 #include <memory>
-#include <span>
 #include <tuple>
 #include <vector>
 
 #include "gpu/resource_set.h"
+#include "gpu/shader_code.h"
 
 namespace morphgrid {
 
 /// A compiled compute shader.
 struct KernelProgram {
+  const char* name;  ///< Of its source file.
   vk::raii::DescriptorSetLayout setLayout = nullptr;
   vk::raii::PipelineLayout layout = nullptr;
   vk::raii::Pipeline pipeline = nullptr;
@@ -21,8 +22,7 @@ struct KernelProgram {
 class KernelPrograms {
  public:
   /// spirv: static data, known by its address. specialization: the values of constant_id 0, 1, ...
-  std::shared_ptr<const KernelProgram> find(const Device& device,
-                                            std::span<const std::uint32_t> spirv,
+  std::shared_ptr<const KernelProgram> find(const Device& device, ShaderCode spirv,
                                             const std::vector<ResourceSlot>& slots,
                                             std::uint32_t pushConstantBytes,
                                             const std::vector<std::uint32_t>& specialization);

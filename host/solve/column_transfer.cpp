@@ -38,7 +38,7 @@ ColumnTransfer::ColumnTransfer(const Device& device, const DeviceGrid& grid,
                                               {kBindingFineVector, &correctionTexels_},
                                               {kBindingFineResult, &correction}})) {}
 
-ComputeKernel ColumnTransfer::kernel(std::span<const std::uint32_t> spirv,
+ComputeKernel ColumnTransfer::kernel(ShaderCode spirv,
                                      std::vector<KernelResource> resources) const {
   resources.push_back({kBindingPositions, &positionTexels_});
   return {device_, spirv, resources, sizeof(ColumnPush), {device_.subgroupSize()}};

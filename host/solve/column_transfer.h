@@ -25,8 +25,7 @@ class ColumnTransfer {
 
  private:
   ColumnPush push(double damping) const;
-  ComputeKernel kernel(std::span<const std::uint32_t> spirv,
-                       std::vector<KernelResource> resources) const;
+  ComputeKernel kernel(ShaderCode spirv, std::vector<KernelResource> resources) const;
 
   const Device& device_;
   const DeviceGrid& grid_;

@@ -11,7 +11,7 @@
 namespace morphgrid {
 namespace {
 
-std::span<const std::uint32_t> spirvOf(const Device& device, Precision precision) {
+ShaderCode spirvOf(const Device& device, Precision precision) {
   if (precision == Precision::single) {
     return gradient_comp_spirv;
   }

@@ -68,7 +68,7 @@ JacobiSolver::JacobiSolver(const Device& device, const StrutGrid& grid, DeviceGr
           sizeof(ControlPush)),
       stream_(device) {}
 
-JacobiSolver::SweepKernels JacobiSolver::sweepKernels(std::span<const std::uint32_t> spirv,
+JacobiSolver::SweepKernels JacobiSolver::sweepKernels(ShaderCode spirv,
                                                       const ColumnWalk& walk) const {
   // From `from` to the buffer that `previous` is a view of.
   const auto resources = [&](const TexelView& from, const TexelView& previous,

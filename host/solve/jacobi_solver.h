@@ -35,7 +35,7 @@ class JacobiSolver {
     ColumnWalk walk;
   };
 
-  SweepKernels sweepKernels(std::span<const std::uint32_t> spirv, const ColumnWalk& walk) const;
+  SweepKernels sweepKernels(ShaderCode spirv, const ColumnWalk& walk) const;
   /// For devices with float64.
   const SweepKernels& preciseSweeps();
   void record(const SweepKernels& kernels, int sweeps);

@@ -1,6 +1,5 @@
 #pragma once
 #include <optional>
-#include <span>
 #include <utility>
 #include <vector>
 
@@ -12,8 +11,8 @@ namespace morphgrid {
 class KernelFamily {
  public:
   /// spirv: static data, as ComputeKernel takes it.
-  KernelFamily(const Device& device, std::span<const std::uint32_t> spirv,
-               std::uint32_t pushConstantBytes, std::vector<std::uint32_t> specialization)
+  KernelFamily(const Device& device, ShaderCode spirv, std::uint32_t pushConstantBytes,
+               std::vector<std::uint32_t> specialization)
       : device_(device),
         spirv_(spirv),
         pushConstantBytes_(pushConstantBytes),
@@ -29,7 +28,7 @@ class KernelFamily {
 
  private:
   const Device& device_;
-  std::span<const std::uint32_t> spirv_;
+  ShaderCode spirv_;
   std::uint32_t pushConstantBytes_;
   std::vector<std::uint32_t> specialization_;
   std::optional<ComputeKernel> first_;  ///< Never dispatched.

@@ -34,8 +34,7 @@ std::vector<BlockField> blockFields(const Device& device, PointGrid points, Memo
   return fields;
 }
 
-KernelFamily family(const Device& device, std::span<const std::uint32_t> spirv,
-                    std::size_t pushBytes) {
+KernelFamily family(const Device& device, ShaderCode spirv, std::size_t pushBytes) {
   return {device, spirv, static_cast<std::uint32_t>(pushBytes), {device.subgroupSize()}};
 }
 

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <set>
 
+#include "app/design_scene.h"
 #include "surface/bezier_patch.h"
 #include "tests/app/scene_files.h"
 #include "tests/support/folders.h"
@@ -105,7 +106,7 @@ TEST(Scenes, AllLoadWithoutSettingsOfTheirOwnForTheSolver) {
     EXPECT_EQ(scene.solve.tolerance, SolveOptions().tolerance);
     EXPECT_EQ(scene.weights.vertical, 40);
   }
-  EXPECT_EQ(count, 6);
+  EXPECT_EQ(count, 7);
 }
 
 TEST(Scenes, HaveTheMeasuresThatThePaperPrints) {
@@ -122,6 +123,20 @@ TEST(Scenes, HaveTheMeasuresThatThePaperPrints) {
     EXPECT_EQ(size.nodesV, paper.nodesV);
     EXPECT_EQ(size.layerSpacing, scene.design.layerSpacing);
     EXPECT_THAT(size.notices, testing::IsEmpty());
+  }
+}
+
+TEST(Scenes, TheCupHasLayersThatAreAThirdOfAStrutApartAtAnySize) {
+  for (const auto& [nodes, vertices] : {std::pair{35, 3240}, {100, 25149}, {200, 98892}}) {
+    SCOPED_TRACE(nodes);
+    const Scene scene =
+        loadScene(kScenes / "cup.toml", {"grid.nodes_long=" + std::to_string(nodes),
+                                         "grid.layer_spacing=" + std::to_string(18.9 / nodes)});
+    const SceneDesign designed = designScene(scene);
+    EXPECT_THAT(designed.notices, testing::IsEmpty());
+    const GridDesign& design = designed.design;
+    EXPECT_EQ((design.nodesU + 1) * (design.nodesV + 1) * design.layers, vertices);
+    EXPECT_NEAR(design.layerSpacing / design.spacing, 0.35, 0.005);
   }
 }
 

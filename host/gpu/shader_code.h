@@ -1,0 +1,13 @@
+#pragma once
+#include <cstdint>
+#include <span>
+
+namespace morphgrid {
+
+/// A shader as the build embeds it: static data.
+struct ShaderCode {
+  const char* name;  ///< Of its file, "sweep.comp".
+  std::span<const std::uint32_t> words;
+};
+
+}  // namespace morphgrid

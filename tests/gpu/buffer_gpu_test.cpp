@@ -1,0 +1,38 @@
+#include "gpu/buffer.h"
+
+#include "tests/support/validated_device.h"
+
+namespace morphgrid {
+namespace {
+
+constexpr vk::DeviceSize kBytes = 1 << 20;
+
+Buffer storage(const Device& device, MemoryKind kind) {
+  return {device, kBytes, vk::BufferUsageFlagBits::eStorageBuffer, kind};
+}
+
+TEST_F(DeviceTest, CountsTheMemoryOfItsBuffers) {
+  MemoryUse& use = device_.memoryUse();
+  ASSERT_EQ(use.current(), 0U);
+  std::vector<Buffer> kept;
+  kept.push_back(storage(device_, MemoryKind::device));
+  const std::uint64_t one = use.current();
+  EXPECT_GE(one, kBytes);
+  EXPECT_LT(one, kBytes + (kBytes >> 4));
+  {
+    const Buffer second = storage(device_, MemoryKind::host);
+    EXPECT_EQ(use.current(), 2 * one);
+  }
+  EXPECT_EQ(use.current(), one);
+  EXPECT_EQ(use.peak(), 2 * one);
+  use.forgetPeak();
+  EXPECT_EQ(use.peak(), one);
+  kept.push_back(storage(device_, MemoryKind::device));  // Moves the first.
+  EXPECT_EQ(use.current(), 2 * one);
+  kept.clear();
+  EXPECT_EQ(use.current(), 0U);
+  EXPECT_EQ(use.peak(), 2 * one);
+}
+
+}  // namespace
+}  // namespace morphgrid

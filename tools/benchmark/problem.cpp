@@ -1,0 +1,66 @@
+#include "benchmark/problem.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <filesystem>
+
+#include "app/design_scene.h"
+
+namespace morphgrid {
+namespace {
+
+/// In the scene's unit of length: layer spacing times nodes, see scenes/cup.toml.
+constexpr double kCupThickness = 18.9;
+
+std::filesystem::path fileOf(const std::string& nameOrFile) {
+  const std::filesystem::path path = nameOrFile;
+  return path.extension() == ".toml"
+             ? path
+             : std::filesystem::path(MORPHGRID_SCENES) / (nameOrFile + ".toml");
+}
+
+Problem designed(std::string name, const Scene& scene) {
+  return {std::move(name), designScene(scene).design, scene.weights, scene.scaling};
+}
+
+}  // namespace
+
+Problem sceneProblem(const std::string& nameOrFile) {
+  const Scene scene = loadScene(fileOf(nameOrFile));
+  return designed(scene.name, scene);
+}
+
+Problem cupProblem(int nodesLong) {
+  return designed(
+      fmt::format("cup {}", nodesLong),
+      loadScene(fileOf("cup"), {fmt::format("grid.nodes_long={}", nodesLong),
+                                fmt::format("grid.layer_spacing={}", kCupThickness / nodesLong)}));
+}
+
+StrutGrid saddleGrid(int vertexCount) {
+  constexpr int kLayers = 3;
+  constexpr double kTau = 0.35;
+  const int edge = static_cast<int>(std::lround(std::sqrt(double(vertexCount) / kLayers)));
+  StrutGrid grid{{edge, edge, kLayers}, 1.0, {}, {}, {}, 1.0};
+  const GridShape& shape = grid.shape;
+  grid.positions.resize(3, shape.vertexCount());
+  grid.rest = StrutValues(shape);
+  grid.stiffness = StrutValues(shape);
+  for (int k = 0; k < kLayers; ++k) {
+    for (int j = 0; j < edge; ++j) {
+      for (int i = 0; i < edge; ++i) {
+        grid.positions.col(shape.index(i, j, k)) = Eigen::Vector3d(i, j, kTau * k);
+      }
+    }
+  }
+  for (const Strut& strut : listStruts(shape)) {
+    const bool vertical = strut.direction == Strut::Direction::w;
+    const double sign = strut.direction == Strut::Direction::u ? 1 : -1;
+    valueAt(grid.rest, strut) = vertical ? kTau : 0.9 + 0.02 * sign * strut.layer;
+    valueAt(grid.stiffness, strut) = vertical ? 40 : 5;
+  }
+  return grid;
+}
+
+}  // namespace morphgrid

@@ -1,0 +1,108 @@
+#include "benchmark/solve_comparison.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace morphgrid {
+namespace {
+
+SolveRun run(const Device& device, const StrutGrid& grid, const std::string& method, double limit) {
+  if (method == "multigrid") {
+    return runMultigrid(device, grid);
+  }
+  return method == "jacobi" ? runJacobi(device, grid, limit) : runReference(grid, limit);
+}
+
+std::vector<MethodRuns> takeTurns(const Device& device, const StrutGrid& grid,
+                                  const std::vector<std::string>& methods,
+                                  const ComparisonOptions& options) {
+  std::vector<MethodRuns> all;
+  for (const std::string& method : methods) {
+    all.push_back({method, {}});
+  }
+  for (int round = 0; round < options.rounds; ++round) {
+    for (MethodRuns& one : all) {
+      double spent = 0;
+      for (const SolveRun& earlier : one.runs) {
+        spent += earlier.cost.wall;
+      }
+      if (spent < options.seconds) {
+        one.runs.push_back(run(device, grid, one.method, options.peerLimit));
+        one.runs.back().positions.resize(3, 0);
+      }
+    }
+  }
+  return all;
+}
+
+template <typename Figure>
+double medianOf(const std::vector<SolveRun>& runs, Figure figure) {
+  std::vector<double> values;
+  for (const SolveRun& each : runs) {
+    values.push_back(figure(each));
+  }
+  return median(std::move(values));
+}
+
+}  // namespace
+
+bool MethodRuns::converged() const {
+  return std::all_of(runs.begin(), runs.end(),
+                     [](const SolveRun& each) { return each.ending == "converged"; });
+}
+
+double MethodRuns::wallSeconds() const {
+  return medianOf(runs, [](const SolveRun& each) { return each.cost.wall; });
+}
+
+double MethodRuns::cpuSeconds() const {
+  return medianOf(runs, [](const SolveRun& each) { return each.cost.cpu; });
+}
+
+double MethodRuns::energy() const {
+  double least = std::numeric_limits<double>::infinity();
+  for (const SolveRun& each : runs) {
+    least = std::min(least, each.energy());
+  }
+  return least;
+}
+
+std::optional<Arrival> MethodRuns::arrival(double leastEnergy) const {
+  std::vector<double> seconds;
+  long iterations = 0;
+  for (const SolveRun& each : runs) {
+    const auto arrived = arrivalAt(each, leastEnergy * (1 + kEnergyError));
+    if (!arrived) {
+      return std::nullopt;
+    }
+    seconds.push_back(arrived->seconds);
+    iterations = arrived->iterations;  // The same in all.
+  }
+  return Arrival{median(std::move(seconds)), iterations};
+}
+
+double Comparison::leastEnergy() const {
+  double least = std::numeric_limits<double>::infinity();
+  for (const MethodRuns& one : full) {
+    least = std::min(least, one.energy());
+  }
+  return least;
+}
+
+const MethodRuns* Comparison::find(const std::string& method) const {
+  const auto found = std::find_if(full.begin(), full.end(),
+                                  [&](const MethodRuns& one) { return one.method == method; });
+  return found == full.end() ? nullptr : &*found;
+}
+
+Comparison compareMethods(const Device& device, const Problem& problem,
+                          const ComparisonOptions& options) {
+  const StrutGrid inPlane = problem.inPlane();
+  const StrutGrid stacked = problem.stacked(runMultigrid(device, inPlane).positions);
+  std::vector<std::string> inPlaneMethods = options.methods;
+  std::erase(inPlaneMethods, "jacobi");
+  return {problem.name, stacked.shape, takeTurns(device, inPlane, inPlaneMethods, options),
+          takeTurns(device, stacked, options.methods, options)};
+}
+
+}  // namespace morphgrid

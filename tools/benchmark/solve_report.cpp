@@ -1,0 +1,221 @@
+#include "benchmark/solve_report.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "benchmark/log_plot.h"
+#include "benchmark/targets.h"
+
+namespace morphgrid {
+namespace {
+
+constexpr double kSmallSize = 25000;  // Vertices with which cost per vertex is compared.
+
+std::string secondsText(double seconds) { return fmt::format("{:.3g}", seconds); }
+
+std::string describeMethod(const MethodRuns& one, double leastEnergy) {
+  const auto arrival = one.arrival(leastEnergy);
+  return fmt::format("  {:<10} {:>9} {:>7}   {:>9} {:>9} {:>10} {:>14.8g}  {}{}\n", one.method,
+                     arrival ? secondsText(arrival->seconds) : "-",
+                     arrival ? fmt::format("{}", arrival->iterations) : "-",
+                     secondsText(one.wallSeconds()), secondsText(one.cpuSeconds()),
+                     one.runs.front().iterations(), one.energy(), one.runs.front().ending,
+                     one.runs.size() == 1 ? ", one run" : "");
+}
+
+std::string describeInPlane(const std::vector<MethodRuns>& methods) {
+  std::string text = "  in plane, to the method's own stop:";
+  for (const MethodRuns& one : methods) {
+    text += fmt::format(" {} {} s{}{}", one.method, secondsText(one.wallSeconds()),
+                        one.converged() ? "" : " (" + one.runs.front().ending + ")",
+                        &one == &methods.back() ? "\n" : ",");
+  }
+  return text;
+}
+
+std::string describeBounds(const char* what, double value, const Bounds& bounds) {
+  const char* verdict = value <= bounds.aim    ? "as aimed at"
+                        : value <= bounds.must ? "as it must be"
+                                               : "MISSED";
+  return fmt::format("  {}: {:.3g} (must be {:.3g}, aim {:.3g}): {}\n", what, value, bounds.must,
+                     bounds.aim, verdict);
+}
+
+/// The time to the energy, or at least how long it was tried.
+double secondsOf(const MethodRuns& one, double leastEnergy) {
+  const auto arrival = one.arrival(leastEnergy);
+  return arrival ? arrival->seconds : one.wallSeconds();
+}
+
+/// Of `method`'s time; the peer that was cut short took longer than what is counted.
+std::optional<double> shareOf(const Comparison& comparison, const std::string& method) {
+  const MethodRuns* multigrid = comparison.find("multigrid");
+  const MethodRuns* peer = comparison.find(method);
+  const double energy = comparison.leastEnergy();
+  if (!multigrid || !peer || !multigrid->arrival(energy)) {
+    return std::nullopt;
+  }
+  return secondsOf(*multigrid, energy) / secondsOf(*peer, energy);
+}
+
+std::string describeShares(const Comparison& comparison) {
+  std::string text;
+  for (const MethodRuns& peer : comparison.full) {
+    const auto share = shareOf(comparison, peer.method);
+    if (peer.method != "multigrid" && share) {
+      text += fmt::format("  multigrid is {:.3g} times as fast as {}{}\n", 1 / *share, peer.method,
+                          peer.arrival(comparison.leastEnergy()) ? "" : ", or more");
+    }
+  }
+  return text;
+}
+
+std::string describeTargets(const Comparison& comparison) {
+  const MethodRuns* multigrid = comparison.find("multigrid");
+  if (!multigrid) {
+    return {};
+  }
+  const Target target = targetOf(comparison.name);
+  const auto arrival = multigrid->arrival(comparison.leastEnergy());
+  if (!arrival) {
+    return "  multigrid does not reach the energy: MISSED\n";
+  }
+  std::string text;
+  if (target.seconds) {
+    text += describeBounds("seconds", arrival->seconds, *target.seconds);
+  }
+  const auto share = shareOf(comparison, "reference");
+  if (target.shareOfReference && share) {
+    text += describeBounds("share of reference's time", *share, *target.shareOfReference);
+  }
+  if (target.cycles) {
+    text += describeBounds("V-cycles", static_cast<double>(arrival->iterations), *target.cycles);
+  }
+  return text;
+}
+
+double bytesPerVertex(const Comparison& comparison) {
+  const MethodRuns* multigrid = comparison.find("multigrid");
+  return multigrid ? static_cast<double>(multigrid->runs.front().deviceBytes) /
+                         comparison.shape.vertexCount()
+                   : 0;
+}
+
+std::string describeMemory(const Comparison& comparison) {
+  const double bytes = bytesPerVertex(comparison);
+  if (bytes == 0) {
+    return {};
+  }
+  return fmt::format("  device memory of multigrid: {:.0f} bytes a vertex{}\n", bytes,
+                     comparison.shape.layers != 3 ? ""
+                     : bytes <= kMostBytesPerVertex
+                         ? fmt::format(" (at most {:.0f})", kMostBytesPerVertex)
+                         : fmt::format(" (at most {:.0f}: MISSED)", kMostBytesPerVertex));
+}
+
+/// Cost of the whole solve by multigrid, to its own stop, in ns per vertex.
+struct CostPerVertex {
+  double solve;
+  double cycle;
+};
+
+CostPerVertex costPerVertex(const Comparison& comparison) {
+  const MethodRuns& multigrid = *comparison.find("multigrid");
+  const double solve = 1e9 * multigrid.wallSeconds() / comparison.shape.vertexCount();
+  return {solve, solve / static_cast<double>(multigrid.runs.front().iterations())};
+}
+
+nlohmann::json toJson(const MethodRuns& one, double leastEnergy) {
+  nlohmann::json json{{"method", one.method},
+                      {"wall_seconds", one.wallSeconds()},
+                      {"cpu_seconds", one.cpuSeconds()},
+                      {"iterations", one.runs.front().iterations()},
+                      {"ending", one.runs.front().ending},
+                      {"runs", one.runs.size()}};
+  if (std::isfinite(one.energy())) {
+    json["energy"] = one.energy();
+  }
+  if (const auto arrival = one.arrival(leastEnergy)) {
+    json["seconds_to_energy"] = arrival->seconds;
+    json["iterations_to_energy"] = arrival->iterations;
+  }
+  for (const ConvergenceSample& sample : one.runs.front().history) {
+    json["history"].push_back({{"iteration", sample.iteration},
+                               {"energy", sample.energy},
+                               {"seconds", one.runs.front().untilSolve + sample.seconds}});
+  }
+  return json;
+}
+
+}  // namespace
+
+std::string describe(const Comparison& comparison) {
+  const GridShape& shape = comparison.shape;
+  std::string text =
+      fmt::format("{}: {} x {} x {} = {} vertices\n", comparison.name, shape.verticesU,
+                  shape.verticesV, shape.layers, shape.vertexCount());
+  text += describeInPlane(comparison.inPlane);
+  text += fmt::format("  {:<10} {:>17}   {:>9} {:>9} {:>10}\n", "full stage", "to the energy",
+                      "stop", "stop", "stop");
+  text += fmt::format("  {:<10} {:>9} {:>7}   {:>9} {:>9} {:>10} {:>14}  {}\n", "", "wall s",
+                      "iter.", "wall s", "CPU s", "iter.", "energy", "end");
+  for (const MethodRuns& one : comparison.full) {
+    text += describeMethod(one, comparison.leastEnergy());
+  }
+  return text + describeShares(comparison) + describeTargets(comparison) +
+         describeMemory(comparison);
+}
+
+std::string describeGrowth(const std::vector<Comparison>& comparisons) {
+  const Comparison* small = nullptr;
+  const Comparison* large = nullptr;
+  const auto distance = [](const Comparison& one) {
+    return std::abs(std::log(one.shape.vertexCount() / kSmallSize));
+  };
+  for (const Comparison& one : comparisons) {
+    if (one.shape.layers != 3 || !one.find("multigrid")) {
+      continue;
+    }
+    small = !small || distance(one) < distance(*small) ? &one : small;
+    large = !large || one.shape.vertexCount() > large->shape.vertexCount() ? &one : large;
+  }
+  if (small == large) {
+    return {};
+  }
+  const CostPerVertex of[2] = {costPerVertex(*small), costPerVertex(*large)};
+  return fmt::format(
+      "multigrid, whole full stage: {:.0f} ns a vertex on {}, {:.0f} on {}: {:.2f} times\n"
+      "           one cycle of it: {:.0f} ns a vertex, {:.0f}: {:.2f} times (must be {})\n",
+      of[0].solve, small->name, of[1].solve, large->name, of[1].solve / of[0].solve, of[0].cycle,
+      of[1].cycle, of[1].cycle / of[0].cycle, kLargestGrowth);
+}
+
+nlohmann::json toJson(const Comparison& comparison) {
+  nlohmann::json json{{"name", comparison.name},
+                      {"vertices", comparison.shape.vertexCount()},
+                      {"layers", comparison.shape.layers},
+                      {"device_bytes_per_vertex", bytesPerVertex(comparison)}};
+  const double energy = comparison.leastEnergy();
+  for (const MethodRuns& one : comparison.inPlane) {
+    json["in_plane"].push_back(toJson(one, one.energy()));
+  }
+  for (const MethodRuns& one : comparison.full) {
+    json["full"].push_back(toJson(one, energy));
+  }
+  return json;
+}
+
+std::string drawTimes(const std::vector<Comparison>& comparisons) {
+  LogPlot plot{"From flat to equilibrium (energy within 1e-6)", "vertices", "seconds", {}};
+  for (const Comparison& comparison : comparisons) {
+    const double energy = comparison.leastEnergy();
+    for (const MethodRuns& one : comparison.full) {
+      plot.series[one.method].push_back({static_cast<double>(comparison.shape.vertexCount()),
+                                         secondsOf(one, energy), !one.arrival(energy)});
+    }
+  }
+  return toSvg(plot);
+}
+
+}  // namespace morphgrid
