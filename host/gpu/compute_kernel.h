@@ -11,8 +11,8 @@ namespace morphgrid {
 /// The resources must outlive it.
 class ComputeKernel {
  public:
-  /// spirv: static data. specialization: the values of constant_id 0, 1, ... Throws DeviceError
-  /// when the device refuses.
+  /// spirv: static data. specialization: the values of constant_id 0, 1, ... The shader is compiled
+  /// on another thread. Throws DeviceError when the device refuses.
   ComputeKernel(const Device& device, std::span<const std::uint32_t> spirv,
                 const std::vector<KernelResource>& resources, std::uint32_t pushConstantBytes,
                 const std::vector<std::uint32_t>& specialization = {});
@@ -21,7 +21,8 @@ class ComputeKernel {
   ComputeKernel(const Device& device, const ComputeKernel& like,
                 const std::vector<KernelResource>& resources);
 
-  vk::Pipeline pipeline() const { return *program_->pipeline; }
+  /// Waits for the compiler. Throws DeviceError when it refuses.
+  vk::Pipeline pipeline() const { return *program_->pipeline.get(); }
   vk::PipelineLayout layout() const { return *program_->layout; }
   vk::DescriptorSet descriptorSet() const { return resources_->handle(); }
 
