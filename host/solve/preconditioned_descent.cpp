@@ -32,11 +32,11 @@ PreconditionedDescent::PreconditionedDescent(const Device& device, DeviceGrid& g
       vectors_(device, grid, precision),
       residual_(device, grid.shape().vertexCount()),
       smoothed_(device, grid.shape().vertexCount()),
-      hessian_(device, grid),
+      hessian_(device, grid, layerLoopFor(grid.shape())),
       coarse_(device, grid, hessian_.positions(), residual_.buffer(), smoothed_.buffer()),
       firstSmoothing_(hessian_.firstSmoothing(vectors_.rightSide(), smoothed_)),
       computeResidual_(hessian_.residual(smoothed_, vectors_.rightSide(), residual_)),
-      lastSmoothing_(hessian_.smoothing(smoothed_, vectors_.rightSide(), vectors_.correction())),
+      lastSmoothing_(hessian_.smoothing(smoothed_, residual_, vectors_.correction())),
       stream_(device),
       predictedDecrease_(std::numeric_limits<double>::infinity()) {
   stream_.begin();
@@ -64,6 +64,7 @@ void PreconditionedDescent::recordCycle() {
   hessian_.record(stream_, firstSmoothing_);
   hessian_.record(stream_, computeResidual_);
   coarse_.recordCycle(stream_);
+  hessian_.record(stream_, computeResidual_);
   hessian_.record(stream_, lastSmoothing_);
 }
 
