@@ -10,8 +10,8 @@ namespace morphgrid {
 /// The resources must outlive it.
 class ComputeKernel {
  public:
-  /// spirv: static data. specialization: the values of constant_id 0, 1, ... Throws DeviceError
-  /// when the device refuses.
+  /// spirv: static data. specialization: the values of constant_id 0, 1, ... The shader is compiled
+  /// on another thread. Throws DeviceError when the device refuses.
   ComputeKernel(const Device& device, ShaderCode spirv,
                 const std::vector<KernelResource>& resources, std::uint32_t pushConstantBytes,
                 const std::vector<std::uint32_t>& specialization = {});
@@ -21,7 +21,8 @@ class ComputeKernel {
                 const std::vector<KernelResource>& resources);
 
   const char* name() const { return program_->name; }
-  vk::Pipeline pipeline() const { return *program_->pipeline; }
+  /// Waits for the compiler. Throws DeviceError when it refuses.
+  vk::Pipeline pipeline() const { return *program_->pipeline.get(); }
   vk::PipelineLayout layout() const { return *program_->layout; }
   vk::DescriptorSet descriptorSet() const { return resources_->handle(); }
 

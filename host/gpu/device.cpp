@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <mutex>
 #include <optional>
 
 #include "core/error.h"
@@ -23,6 +24,8 @@ VKAPI_ATTR VkBool32 VKAPI_CALL collectMessage(VkDebugUtilsMessageSeverityFlagBit
                                               VkDebugUtilsMessageTypeFlagsEXT,
                                               const VkDebugUtilsMessengerCallbackDataEXT* data,
                                               void* messages) {
+  static std::mutex collecting;  // Kernels are compiled on many threads.
+  const std::lock_guard lock(collecting);
   static_cast<std::vector<std::string>*>(messages)->emplace_back(data->pMessage);
   return VK_FALSE;
 }

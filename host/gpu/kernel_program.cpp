@@ -1,10 +1,14 @@
 #include "gpu/kernel_program.h"
 
+#include <fmt/format.h>
+
+#include "core/error.h"
+
 namespace morphgrid {
 namespace {
 
 vk::raii::Pipeline createPipeline(const Device& device, ShaderCode spirv, vk::PipelineLayout layout,
-                                  const std::vector<std::uint32_t>& specialization) {
+                                  const std::vector<std::uint32_t>& specialization) try {
   const vk::raii::ShaderModule module(
       device.handle(),
       vk::ShaderModuleCreateInfo({}, spirv.words.size_bytes(), spirv.words.data()));
@@ -19,6 +23,9 @@ vk::raii::Pipeline createPipeline(const Device& device, ShaderCode spirv, vk::Pi
   const vk::PipelineShaderStageCreateInfo stage({}, vk::ShaderStageFlagBits::eCompute, *module,
                                                 "main", &constants);
   return {device.handle(), nullptr, vk::ComputePipelineCreateInfo({}, stage, layout)};
+} catch (const vk::SystemError& error) {
+  throw DeviceError(
+      fmt::format("device {} cannot build a compute kernel: {}", device.name(), error.what()));
 }
 
 KernelProgram compile(const Device& device, ShaderCode spirv,
@@ -30,7 +37,9 @@ KernelProgram compile(const Device& device, ShaderCode spirv,
   program.layout = vk::raii::PipelineLayout(
       device.handle(), vk::PipelineLayoutCreateInfo({}, 1, &*program.setLayout,
                                                     pushConstantBytes > 0 ? 1 : 0, &push));
-  program.pipeline = createPipeline(device, spirv, *program.layout, specialization);
+  program.pipeline = std::async([&device, spirv, layout = *program.layout, specialization] {
+    return createPipeline(device, spirv, layout, specialization);
+  });
   return program;
 }
 

@@ -1,4 +1,5 @@
 #pragma once
+#include <future>
 #include <map>
 #include <memory>
 #include <tuple>
@@ -9,16 +10,17 @@
 
 namespace morphgrid {
 
-/// A compiled compute shader.
+/// A compute shader on its way to the device.
 struct KernelProgram {
   const char* name;  ///< Of its source file.
   vk::raii::DescriptorSetLayout setLayout = nullptr;
   vk::raii::PipelineLayout layout = nullptr;
-  vk::raii::Pipeline pipeline = nullptr;
+  /// Compiled on a thread of its own. get() throws DeviceError when the device refuses.
+  std::shared_future<vk::raii::Pipeline> pipeline;
 };
 
-/// The compute shaders of a device: each is compiled when it is first asked for, which costs more
-/// than a small solve.
+/// The compute shaders of a device: each is compiled when it is first asked for, all at the same
+/// time, as that costs more than a small solve.
 class KernelPrograms {
  public:
   /// spirv: static data, known by its address. specialization: the values of constant_id 0, 1, ...

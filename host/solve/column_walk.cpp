@@ -1,21 +1,34 @@
 #include "solve/column_walk.h"
 
 namespace morphgrid {
+namespace {
+
+/// Up to here, compiling the unrolled loops takes longer than they save in a multigrid solve.
+constexpr int kFewVertices = 20000;
+
+}  // namespace
+
+LayerLoop layerLoopFor(const GridShape& shape) {
+  return shape.vertexCount() <= kFewVertices ? LayerLoop::rolled : LayerLoop::unrolled;
+}
+
 std::uint32_t groupsFor(int count, std::uint32_t groupSize) {
   return (static_cast<std::uint32_t>(count) + groupSize - 1) / groupSize;
 }
 
-ColumnWalk::ColumnWalk(const Device& device, const DeviceGrid& grid, std::uint32_t blockV)
+ColumnWalk::ColumnWalk(const Device& device, const DeviceGrid& grid, std::uint32_t blockV,
+                       LayerLoop loop)
     : grid_(grid),
+      loop_(loop),
       subgroupSize_(device.subgroupSize()),
       groupsU_(groupsFor(grid.shape().verticesU, kSweepBlockU * subgroupSize_)),
       groupsV_(groupsFor(grid.shape().verticesV, blockV)) {}
 
 std::vector<std::uint32_t> ColumnWalk::constants(const std::vector<std::uint32_t>& own) const {
   const auto layers = static_cast<std::uint32_t>(grid_.shape().layers);
-  const std::uint32_t unrolledLayers = layers <= kUnrolledLayers ? layers : 0;
+  const bool unrolled = loop_ == LayerLoop::unrolled && layers <= kUnrolledLayers;
   const std::uint32_t uniform = grid_.uniformStiffness() ? 1 : 0;
-  std::vector<std::uint32_t> all{subgroupSize_, unrolledLayers, uniform};
+  std::vector<std::uint32_t> all{subgroupSize_, unrolled ? layers : 0, uniform};
   all.insert(all.end(), own.begin(), own.end());
   return all;
 }

@@ -8,12 +8,20 @@
 
 namespace morphgrid {
 
+/// Whether a kernel's loop over the layers is unrolled, where they are few: it runs twice as fast,
+/// takes twice as long to compile, and serves no other number of layers.
+enum class LayerLoop { unrolled, rolled };
+
+/// For a kernel that runs a few hundred times: what takes the shorter time in all.
+LayerLoop layerLoopFor(const GridShape& shape);
+
 /// How kernels that include shaders/solve/columns.glsl are specialised and dispatched for a grid.
 class ColumnWalk {
  public:
   /// blockV: rows of columns per invocation, kBlockV of the kernel; kBlockU is kSweepBlockU.
   /// Keeps a reference to the grid.
-  ColumnWalk(const Device& device, const DeviceGrid& grid, std::uint32_t blockV);
+  ColumnWalk(const Device& device, const DeviceGrid& grid, std::uint32_t blockV,
+             LayerLoop loop = LayerLoop::unrolled);
 
   /// Values of the constants of columns.glsl, then those of the kernel itself.
   std::vector<std::uint32_t> constants(const std::vector<std::uint32_t>& own = {}) const;
@@ -25,6 +33,7 @@ class ColumnWalk {
 
  private:
   const DeviceGrid& grid_;
+  LayerLoop loop_;
   std::uint32_t subgroupSize_;
   std::uint32_t groupsU_;
   std::uint32_t groupsV_;

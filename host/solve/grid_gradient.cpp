@@ -23,9 +23,11 @@ ShaderCode spirvOf(const Device& device, Precision precision) {
 
 }  // namespace
 
-GridGradient::GridGradient(const Device& device, const DeviceGrid& grid, Precision precision)
+GridGradient::GridGradient(const Device& device, const DeviceGrid& grid, Precision precision,
+                           LayerLoop loop)
     : device_(device),
-      walk_(device, grid, precision == Precision::single ? kSweepBlockV : kPreciseSweepBlockV),
+      walk_(device, grid, precision == Precision::single ? kSweepBlockV : kPreciseSweepBlockV,
+            loop),
       texels_(device, grid),
       partials_(device, walk_.groupCount() * sizeof(vec4), vk::BufferUsageFlagBits::eStorageBuffer,
                 MemoryKind::device),

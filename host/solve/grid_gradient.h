@@ -31,7 +31,8 @@ class GridGradient {
   };
 
   /// Keeps references. Throws DeviceError when `precise` is asked of a device without float64.
-  GridGradient(const Device& device, const DeviceGrid& grid, Precision precision);
+  GridGradient(const Device& device, const DeviceGrid& grid, Precision precision,
+               LayerLoop loop = LayerLoop::unrolled);
 
   /// positions: as DeviceGrid::positions(). Both buffers must outlive the evaluation.
   Evaluation evaluation(const Buffer& positions, const VertexVector& gradient);

@@ -20,10 +20,10 @@ Buffer positionsBuffer(const Device& device, const DeviceGrid& grid) {
 
 }  // namespace
 
-GridHessian::GridHessian(const Device& device, const DeviceGrid& grid)
+GridHessian::GridHessian(const Device& device, const DeviceGrid& grid, LayerLoop loop)
     : device_(device),
       shape_(grid.shape()),
-      walk_(device, grid, kSweepBlockV),
+      walk_(device, grid, kHessianBlockV, loop),
       texels_(device, grid),
       positions_(positionsBuffer(device, grid)),
       positionsView_(integerTexels(device, positions_)),
@@ -32,7 +32,7 @@ GridHessian::GridHessian(const Device& device, const DeviceGrid& grid)
       products_(device, hessian_product_comp_spirv, sizeof(HessianPush), walk_.constants()),
       exactProducts_(device, exact_product_comp_spirv, sizeof(HessianPush), walk_.constants()),
       residuals_(device, hessian_residual_comp_spirv, sizeof(HessianPush), walk_.constants()),
-      smoothings_(device, hessian_smoothing_comp_spirv, sizeof(HessianPush), walk_.constants()),
+      smoothings_(device, hessian_smoothing_comp_spirv, sizeof(HessianPush), {}),
       firstSmoothings_(device, hessian_first_smoothing_comp_spirv, sizeof(HessianPush), {}),
       blocks_(device, hessian_blocks_comp_spirv,
               {{kBindingPositions, &positionsView_},
@@ -66,12 +66,14 @@ GridHessian::Step GridHessian::residual(const VertexVector& z, const VertexVecto
   return columnStep(residuals_, z, r, {{kBindingRightSide, &b.texels()}});
 }
 
-GridHessian::Step GridHessian::smoothing(const VertexVector& z, const VertexVector& b,
+GridHessian::Step GridHessian::smoothing(const VertexVector& z, const VertexVector& r,
                                          const VertexVector& next) {
-  return columnStep(smoothings_, z, next,
-                    {{kBindingRightSide, &b.texels()},
-                     {kBindingInverseDiagonal, &inverseDiagonal_.texels()},
-                     {kBindingInverseOffDiagonal, &inverseOffDiagonal_.texels()}});
+  return {smoothings_.bind({{kBindingVector, &z.texels()},
+                            {kBindingRightSide, &r.texels()},
+                            {kBindingResult, &next.buffer()},
+                            {kBindingInverseDiagonal, &inverseDiagonal_.texels()},
+                            {kBindingInverseOffDiagonal, &inverseOffDiagonal_.texels()}}),
+          Step::Dispatch::vertices};
 }
 
 GridHessian::Step GridHessian::firstSmoothing(const VertexVector& b, const VertexVector& z) {

@@ -32,7 +32,7 @@ class GridHessian {
   static constexpr double kSpectralRadiusBound = 3;
 
   /// Keeps references. Throws DeviceError when the grid exceeds the device's limits.
-  GridHessian(const Device& device, const DeviceGrid& grid);
+  GridHessian(const Device& device, const DeviceGrid& grid, LayerLoop loop = LayerLoop::unrolled);
 
   /// y = H z
   Step product(const VertexVector& z, const VertexVector& y);
@@ -40,8 +40,8 @@ class GridHessian {
   Step exactProduct(const VertexVector& z, const VertexVector& y);
   /// r = b - H z
   Step residual(const VertexVector& z, const VertexVector& b, const VertexVector& r);
-  /// next = z + omega D^-1 (b - H z), D the 3 x 3 blocks on the diagonal of H.
-  Step smoothing(const VertexVector& z, const VertexVector& b, const VertexVector& next);
+  /// next = z + omega D^-1 r, D the 3 x 3 blocks on the diagonal of H, r = b - H z.
+  Step smoothing(const VertexVector& z, const VertexVector& r, const VertexVector& next);
   /// z = omega D^-1 b
   Step firstSmoothing(const VertexVector& b, const VertexVector& z);
 

@@ -37,7 +37,7 @@ LbfgsVectors::LbfgsVectors(const Device& device, const DeviceGrid& grid, Precisi
     : device_(device),
       count_(static_cast<std::uint32_t>(grid.shape().vertexCount())),
       resolution_(static_cast<float>(grid.resolution())),
-      gradient_(device, grid, precision),
+      gradient_(device, grid, precision, layerLoopFor(grid.shape())),
       rightSide_(device, grid.shape().vertexCount()),
       correction_(device, grid.shape().vertexCount()),
       direction_(device, grid.shape().vertexCount()),

@@ -6,11 +6,11 @@ VCycle::VCycle(const Device& device, const DeviceGrid& grid, const VertexVector&
                const VertexVector& correction)
     : residual_(device, grid.shape().vertexCount()),
       smoothed_(device, grid.shape().vertexCount()),
-      hessian_(device, grid),
+      hessian_(device, grid, layerLoopFor(grid.shape())),
       coarse_(device, grid, hessian_.positions(), residual_.buffer(), smoothed_.buffer()),
       firstSmoothing_(hessian_.firstSmoothing(rightSide, smoothed_)),
       computeResidual_(hessian_.residual(smoothed_, rightSide, residual_)),
-      lastSmoothing_(hessian_.smoothing(smoothed_, rightSide, correction)),
+      lastSmoothing_(hessian_.smoothing(smoothed_, residual_, correction)),
       stream_(device) {}
 
 void VCycle::linearise(const Buffer& positions, double damping) {
@@ -26,6 +26,7 @@ void VCycle::record(CommandStream& stream) const {
   hessian_.record(stream, firstSmoothing_);
   hessian_.record(stream, computeResidual_);
   coarse_.recordCycle(stream);
+  hessian_.record(stream, computeResidual_);
   hessian_.record(stream, lastSmoothing_);
 }
 

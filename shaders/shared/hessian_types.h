@@ -19,6 +19,9 @@ CONSTANT uint kBindingInverseDiagonal =
 CONSTANT uint kBindingInverseOffDiagonal = 12u;  // texels or buffer, vec4: yz, xz, xy
 CONSTANT uint kBindingSums = 13u;  // buffer, one vec4: energy and |g|^2 as pairs of floats
 
+// Rows of columns per invocation, kSweepBlockU in each: two would save a tenth of the time of a
+// product, and take twice as long to compile.
+CONSTANT uint kHessianBlockV = 1u;
 CONSTANT uint kReductionInvocations = 128u;
 // Of kernels that need no neighbours.
 CONSTANT uint kVertexInvocations = 128u;

@@ -35,10 +35,18 @@ void addRow(inout Stencil stencil, ivec2 row) {
       add(a, share, withLeverOfRow(rowLever, blockBetween(row, ivec2(u, v))));
       ivec4 lever = imageLoad(levers, nearestIndex(column, fineSize));
       addBlock(stencil.self, a, column, lever, ivec2(0, 0), centre);
-      addBlock(stencil.east, a, column, lever, ivec2(1, 0), eastCentre);
-      addBlock(stencil.north, a, column, lever, ivec2(0, 1), northCentre);
-      addBlock(stencil.northEast, a, column, lever, ivec2(1, 1), northEastCentre);
-      addBlock(stencil.northWest, a, column, lever, ivec2(-1, 1), northWestCentre);
+      if (u >= 0) {
+        addBlock(stencil.east, a, column, lever, ivec2(1, 0), eastCentre);
+      }
+      if (v >= 0) {
+        addBlock(stencil.north, a, column, lever, ivec2(0, 1), northCentre);
+      }
+      if (u >= 0 && v >= 0) {
+        addBlock(stencil.northEast, a, column, lever, ivec2(1, 1), northEastCentre);
+      }
+      if (u <= 0 && v >= 0) {
+        addBlock(stencil.northWest, a, column, lever, ivec2(-1, 1), northWestCentre);
+      }
     }
   }
 }

@@ -6,7 +6,7 @@
 #include "solve/corner_derivative.glsl"
 
 const int kBlockU = int(kSweepBlockU);
-const int kBlockV = int(kSweepBlockV);
+const int kBlockV = int(kHessianBlockV);
 const bool kMeasure = false;
 
 layout(binding = kBindingVector, rgba32f) readonly uniform imageBuffer vectors;

@@ -6,6 +6,7 @@
 #include "shared/hessian_types.h"
 #include "solve/arm.glsl"
 #include "solve/corner_derivative.glsl"
+#include "solve/symmetric_inverse.glsl"
 
 layout(local_size_x_id = 0) in;
 
@@ -21,11 +22,6 @@ layout(push_constant) uniform Push { HessianPush push; };
 // A pivot below this share of its diagonal counts as absent: its row and column of the inverse are zero.
 // In the plane nothing holds z.
 const float kLeastPivot = 1e-6;
-
-struct Symmetric {
-  vec3 diagonal;
-  vec3 off;  // yz, xz, xy
-};
 
 ivec3 vertex;
 ivec3 size;
@@ -87,38 +83,18 @@ void addCorners(int axisA, int axisB) {
   }
 }
 
-// Row by row: inverse = sum of m m^T / pivot over the rows m of L^-1, without pivots that are absent.
-Symmetric inverseOf(Symmetric a) {
-  vec3 least = kLeastPivot * a.diagonal;
-  float px = a.diagonal.x;
-  float ix = px > least.x ? 1.0 / px : 0.0;
-  float yx = a.off.z * ix, zx = a.off.y * ix;
-  float py = a.diagonal.y - yx * a.off.z;
-  float iy = py > least.y ? 1.0 / py : 0.0;
-  float zyUnscaled = a.off.x - zx * a.off.z;
-  float zy = zyUnscaled * iy;
-  float pz = a.diagonal.z - zx * a.off.y - zy * zyUnscaled;
-  float iz = pz > least.z ? 1.0 / pz : 0.0;
-  vec3 y = vec3(-yx, 1.0, 0.0);
-  vec3 z = vec3(yx * zy - zx, -zy, 1.0);
-  return Symmetric(vec3(ix, 0, 0) + iy * y * y + iz * z * z,
-                   iy * y.yxx * y.zzy + iz * z.yxx * z.zzy);
-}
-
 void main() {
   size = ivec3(push.grid.verticesU, push.grid.verticesV, push.grid.layers);
   vertex = ivec3(gl_GlobalInvocationID);
   if (!inside(vertex)) {
     return;
   }
-  [[unroll]] for (int axis = 0; axis < 3; ++axis) {
+  for (int axis = 0; axis < 3; ++axis) {
     addStrut(vertex, vertex + unit(axis), axis);
     addStrut(vertex - unit(axis), vertex, axis);
+    addCorners(axis, axis < 2 ? axis + 1 : 0);
   }
-  addCorners(0, 1);
-  addCorners(0, 2);
-  addCorners(1, 2);
-  Symmetric inverse = inverseOf(block);
+  Symmetric inverse = inverseOf(block, kLeastPivot * block.diagonal);
   diagonals[indexOf(vertex)] = vec4(inverse.diagonal, 0.0);
   offDiagonals[indexOf(vertex)] = vec4(inverse.off, 0.0);
 }

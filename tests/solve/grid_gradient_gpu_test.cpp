@@ -14,8 +14,9 @@ namespace {
 
 using Eigen::Matrix3Xd;
 
-class GridGradientTest : public DeviceTest,
-                         public testing::WithParamInterface<std::tuple<GridShape, Precision>> {
+class GridGradientTest
+    : public DeviceTest,
+      public testing::WithParamInterface<std::tuple<GridShape, Precision, LayerLoop>> {
  protected:
   struct Result {
     GridGradient::Sums sums;
@@ -31,7 +32,7 @@ class GridGradientTest : public DeviceTest,
   /// In units of the spacing.
   Result evaluate(const StrutGrid& grid) const {
     const DeviceGrid deviceGrid(device_, grid);
-    GridGradient gradient(device_, deviceGrid, precision_);
+    GridGradient gradient(device_, deviceGrid, precision_, std::get<LayerLoop>(GetParam()));
     const VertexVector result(device_, grid.shape.vertexCount());
     const auto evaluation = gradient.evaluation(deviceGrid.positions(), result);
     CommandStream stream(device_);
@@ -74,7 +75,13 @@ INSTANTIATE_TEST_SUITE_P(OddShapes, GridGradientTest,
                          testing::Combine(testing::Values(GridShape{2, 2, 1}, GridShape{13, 7, 3},
                                                           GridShape{3, 129, 4},
                                                           GridShape{300, 5, 3}, GridShape{5, 4, 9}),
-                                          testing::Values(Precision::single, Precision::precise)));
+                                          testing::Values(Precision::single, Precision::precise),
+                                          testing::Values(LayerLoop::unrolled)));
+
+INSTANTIATE_TEST_SUITE_P(Rolled, GridGradientTest,
+                         testing::Combine(testing::Values(GridShape{2, 2, 1}, GridShape{13, 7, 3}),
+                                          testing::Values(Precision::single, Precision::precise),
+                                          testing::Values(LayerLoop::rolled)));
 
 class PreciseGradient : public GridGradientTest {};
 
@@ -94,10 +101,10 @@ TEST_P(PreciseGradient, EnergyResolvesSmallSteps) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Sizes, PreciseGradient,
-                         testing::Combine(testing::Values(GridShape{21, 18, 3},
-                                                          GridShape{50, 61, 3}),
-                                          testing::Values(Precision::precise)));
+INSTANTIATE_TEST_SUITE_P(
+    Sizes, PreciseGradient,
+    testing::Combine(testing::Values(GridShape{21, 18, 3}, GridShape{50, 61, 3}),
+                     testing::Values(Precision::precise), testing::Values(LayerLoop::unrolled)));
 
 }  // namespace
 }  // namespace morphgrid

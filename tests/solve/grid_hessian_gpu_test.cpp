@@ -39,8 +39,9 @@ StrutGrid strainedGrid(const GridShape& shape, Stiffness stiffness) {
   return grid;
 }
 
-class GridHessianTest : public DeviceTest,
-                        public testing::WithParamInterface<std::tuple<GridShape, Stiffness>> {
+using Case = std::tuple<GridShape, Stiffness, LayerLoop>;
+
+class GridHessianTest : public DeviceTest, public testing::WithParamInterface<Case> {
  protected:
   int vertexCount() const { return grid_.shape.vertexCount(); }
   VertexVector vector() const { return {device_, vertexCount()}; }
@@ -75,9 +76,9 @@ class GridHessianTest : public DeviceTest,
     return result;
   }
 
-  StrutGrid grid_ = std::apply(strainedGrid, GetParam());
+  StrutGrid grid_ = strainedGrid(std::get<GridShape>(GetParam()), std::get<Stiffness>(GetParam()));
   DeviceGrid deviceGrid_{device_, grid_};
-  GridHessian hessian_{device_, deviceGrid_};
+  GridHessian hessian_{device_, deviceGrid_, std::get<LayerLoop>(GetParam())};
   CommandStream stream_{device_};
   MatrixXd dense_ = denseHessian(grid_);
   const VectorXd x_ = random(1);
@@ -120,8 +121,10 @@ TEST_P(GridHessianTest, SmoothingIsTheDenseOne) {
   const MatrixXd inverse = kWeight * invertedBlocks(diagonalBlocks(dense_));
   const VertexVector b = vector(b_);
   const VertexVector first = vector();
+  const VertexVector residual = vector();
   const VertexVector second = vector();
-  run({hessian_.firstSmoothing(b, first), hessian_.smoothing(first, b, second)});
+  run({hessian_.firstSmoothing(b, first), hessian_.residual(first, b, residual),
+       hessian_.smoothing(first, residual, second)});
   const VectorXd expected = inverse * b_;
   expectClose(values(first), expected);
   expectClose(values(second), expected + inverse * (b_ - dense_ * expected));
@@ -153,7 +156,13 @@ INSTANTIATE_TEST_SUITE_P(OddShapes, GridHessianTest,
                                                           GridShape{5, 4, 3}, GridShape{7, 3, 4},
                                                           GridShape{6, 6, 1}, GridShape{19, 3, 2},
                                                           GridShape{3, 4, 6}),
-                                          testing::Values(Stiffness::uniform, Stiffness::varied)));
+                                          testing::Values(Stiffness::uniform, Stiffness::varied),
+                                          testing::Values(LayerLoop::unrolled)));
+
+INSTANTIATE_TEST_SUITE_P(Rolled, GridHessianTest,
+                         testing::Combine(testing::Values(GridShape{6, 5, 1}, GridShape{5, 4, 3}),
+                                          testing::Values(Stiffness::uniform),
+                                          testing::Values(LayerLoop::rolled)));
 
 }  // namespace
 }  // namespace morphgrid
