@@ -85,21 +85,31 @@ bool PreconditionedDescent::descend() {
   if (!(descent > 0)) {
     return false;
   }
-  stream_.begin();
-  vectors_.recordDirection(stream_, weights);
-  stream_.end();
-  stream_.submitAndWait();
+  tryFullStep(weights);
   return searchLine(descent);
 }
 
+void PreconditionedDescent::tryFullStep(const PairHistory::Weights& weights) {
+  stream_.begin();
+  vectors_.recordDirection(stream_, weights);
+  vectors_.recordTrial(stream_, 1, history_.nextSlot());
+  stream_.end();
+  stream_.submitAndWait();
+}
+
+void PreconditionedDescent::tryStep(double length) {
+  stream_.begin();
+  vectors_.recordTrial(stream_, length, history_.nextSlot());
+  stream_.end();
+  stream_.submitAndWait();
+}
+
 bool PreconditionedDescent::searchLine(double descent) {
-  const int slot = history_.nextSlot();
   double length = std::min(1.0, kLargestMove / vectors_.largestStep());
   for (int attempt = 0; attempt < kLineSearchSteps; ++attempt, length /= 2) {
-    stream_.begin();
-    vectors_.recordTrial(stream_, length, slot);
-    stream_.end();
-    stream_.submitAndWait();
+    if (length < 1) {
+      tryStep(length);
+    }
     const GridGradient::Sums trial = vectors_.sums();
     const double allowed = sums_.energy - kSufficientDecrease * length * descent +
                            energyRounding_ * std::abs(sums_.energy);

@@ -27,7 +27,10 @@ class PreconditionedDescent {
  private:
   void linearise();
   bool descend();
-  /// Along the direction, whose slope is -descent.
+  /// The direction, and the trial state a full step along it: most often the one that is taken.
+  void tryFullStep(const PairHistory::Weights& weights);
+  void tryStep(double length);
+  /// Along the direction, whose slope is -descent, from the full step on.
   bool searchLine(double descent);
   bool modelFails(double decrease) const;
 
