@@ -1,13 +1,21 @@
 #include "solve/coarse_levels.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "solve/coarsest_inverse.h"
 #include "solve/coarsest_solve_comp.h"
 
 namespace morphgrid {
 namespace {
 
-/// So few points are solved directly: inverting takes the host about 10 ms.
-constexpr int kCoarsestPoints = 36;
+/// So few points are solved directly: inverting their matrix, in time that grows with the cube of
+/// their number, takes the host about as long as two cycles take the device.
+int coarsestPoints(const GridShape& shape) {
+  constexpr int kLeast = 36;
+  constexpr double kPerCubeRoot = 2.4;
+  return std::max(kLeast, static_cast<int>(kPerCubeRoot * std::cbrt(shape.vertexCount())));
+}
 
 /// Every strut and corner spans at most three columns, and four points of a coarser level, so no
 /// eigenvalue of D^-1 A is larger.
@@ -94,8 +102,9 @@ CoarseLevels::CoarseLevels(const Device& device, const DeviceGrid& grid, const B
 
 void CoarseLevels::createLevels(const DeviceGrid& grid) {
   PointGrid points{grid.shape().verticesU, grid.shape().verticesV};
+  const int solvedDirectly = coarsestPoints(grid.shape());
   for (double bound = kColumnSpectralRadius;; bound = kPointSpectralRadius) {
-    const bool coarsest = points.count() <= kCoarsestPoints || coarsened(points) == points;
+    const bool coarsest = points.count() <= solvedDirectly || coarsened(points) == points;
     levels_.push_back(std::make_unique<const PointLevel>(
         device_, kernels_, points, coarsest ? MemoryKind::host : MemoryKind::device, bound));
     if (coarsest) {
