@@ -6,6 +6,8 @@ root=$(dirname "$tools_folder")
 
 # Clones and worktrees share what ccache holds.
 export CCACHE_BASEDIR=$root CCACHE_NOHASHDIR=1
+# It keeps nothing that precompiled headers go into, unless told.
+export CCACHE_SLOPPINESS=pch_defines,time_macros
 
 trap 'exit 130' INT # Ctrl-C in a build is no failed build.
 
