@@ -43,7 +43,7 @@ double denseSmallestEigenvalue(const StrutGrid& grid, Motions motions) {
          StrutEnergy(grid).meanStiffness();
 }
 
-StrutGrid tightRimmedSheet(const GridShape& shape) {
+StrutGrid tightRimmedSheet(const GridShape& shape, double shrink) {
   constexpr double kLayerSpacing = 0.1;
   StrutGrid grid{
       shape, 1.0, Eigen::Matrix3Xd(3, shape.vertexCount()), StrutValues(shape), StrutValues(shape),
@@ -61,7 +61,7 @@ StrutGrid tightRimmedSheet(const GridShape& shape) {
                            .cwiseAbs()
                            .maxCoeff();
     const bool vertical = strut.direction == Strut::Direction::w;
-    valueAt(grid.rest, strut) = vertical ? kLayerSpacing : 1 - 0.3 * rim * rim;
+    valueAt(grid.rest, strut) = vertical ? kLayerSpacing : 1 - shrink * rim * rim;
     valueAt(grid.stiffness, strut) = vertical ? 40 : 5;
   }
   return grid;

@@ -63,6 +63,20 @@ INSTANTIATE_TEST_SUITE_P(Layers, SmallestEigenvalueOfSheets,
                          testing::Values(GridShape{7, 7, 1}, GridShape{7, 6, 2},
                                          GridShape{8, 5, 3}));
 
+// With the default tolerance: close to zero from either side the sign must be right.
+TEST(SmallestEigenvalue, ChangesSignWhereASheetBeginsToBuckle) {
+  int saddles = 0;
+  for (int percent = 0; percent <= 20; percent += 2) {
+    const StrutGrid grid = atRest(tightRimmedSheet({7, 6, 2}, percent / 100.0));
+    const double expected = denseSmallestEigenvalue(grid, Motions::inSpace);
+    EXPECT_EQ(verdictOf(compute(grid, {})), expected > 0 ? Verdict::minimum : Verdict::saddle)
+        << percent << " %: " << expected;
+    saddles += expected < 0 ? 1 : 0;
+  }
+  EXPECT_GT(saddles, 0);
+  EXPECT_LT(saddles, 10);
+}
+
 TEST(SmallestEigenvalue, OfAReferenceAnswerIsPositive) {
   const StrutGrid grid = atRest(loadReferenceProblem("egg_chair").grid);
   const SmallestEigenvalue found = compute(grid, {});
