@@ -14,8 +14,9 @@ using Eigen::MatrixXd;
 using Eigen::Vector3d;
 
 /// Share of the diagonal that is added to it: rounding in single precision may have made soft
-/// motions negative. More is tried where that does not suffice.
-constexpr double kLeastShift = 1e-6;
+/// motions negative. More is tried where that does not suffice, but more from the start would hide
+/// the softest motions of long grids.
+constexpr double kLeastShift = 1e-7;
 /// A point's motion counts as free when its stiffness is this share of what its components have.
 constexpr double kFree = 1e-5;
 

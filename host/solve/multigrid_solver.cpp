@@ -10,6 +10,7 @@
 #include "core/error.h"
 #include "core/interrupt.h"
 #include "solve/energy.h"
+#include "solve/imperfection.h"
 #include "solve/nested_grids.h"
 #include "solve/preconditioned_descent.h"
 
@@ -24,14 +25,18 @@ constexpr double kCoarseTolerance = 1e-4;
 constexpr int kQuietSteps = 3;
 // For the time left: what grids not yet begun will take.
 constexpr double kExpectedCycles = 20;
+// Energy, in stiffness x spacing^2 a vertex, that positions cannot tell from none.
+constexpr double kNoEnergy = 1e-13;
 
 /// The last steps on one grid: whether the energy has come to rest, and when it will.
 class EnergyFall {
  public:
-  explicit EnergyFall(double tolerance) : tolerance_(tolerance) {}
+  /// noEnergy: as good as zero, where a share of the energy means nothing.
+  EnergyFall(double tolerance, double noEnergy) : tolerance_(tolerance), noEnergy_(noEnergy) {}
 
   void add(const PreconditionedDescent& descent) {
-    const double share = descent.predictedDecrease() / descent.energy();
+    const double share =
+        descent.energy() > noEnergy_ ? descent.predictedDecrease() / descent.energy() : 0;
     quietSteps_ = share < tolerance_ ? quietSteps_ + 1 : 0;
     shares_.push_back(share);
   }
@@ -52,6 +57,7 @@ class EnergyFall {
 
  private:
   double tolerance_;
+  double noEnergy_;
   int quietSteps_ = 0;
   std::vector<double> shares_;
 };
@@ -73,11 +79,14 @@ class Progress {
   void beginGrid(const StrutGrid& grid) {
     share_ = share(grid);
     energyScale_ = grid.spacing * grid.spacing;
-    residualScale_ = 1 / (2 * StrutEnergy(grid).constraintWeights().mean() *
-                          std::sqrt(double(grid.shape.vertexCount())));
+    const double stiffness = 2 * StrutEnergy(grid).constraintWeights().mean();
+    const double count = grid.shape.vertexCount();
+    residualScale_ = 1 / (stiffness * std::sqrt(count));
+    noEnergy_ = kNoEnergy * stiffness * count;
     cyclesToCome_ -= kExpectedCycles * share_;
   }
 
+  double noEnergy() const { return noEnergy_; }
   double residualOf(const PreconditionedDescent& descent) const {
     return descent.gradientNorm() * residualScale_;
   }
@@ -119,6 +128,7 @@ class Progress {
   double share_ = 1;
   double energyScale_ = 1;
   double residualScale_ = 1;  ///< From a gradient's norm, see StrutEnergy::residual().
+  double noEnergy_ = 0;       ///< As PreconditionedDescent::energy().
   double cycles_ = 0;
   double cyclesToCome_ = 0;  ///< On grids not yet begun, about.
   std::vector<ConvergenceSample> history_;
@@ -132,8 +142,8 @@ Precision precisionOf(const Device& device) {
 Eigen::Matrix3Xd solveCoarse(const Device& device, const StrutGrid& grid, Progress& progress) {
   DeviceGrid deviceGrid(device, grid);
   PreconditionedDescent descent(device, deviceGrid, precisionOf(device));
-  EnergyFall fall(kCoarseTolerance);
   progress.beginGrid(grid);
+  EnergyFall fall(kCoarseTolerance, progress.noEnergy());
   while (!progress.reasonToStop() && fall.quietSteps() == 0 && descent.iterate()) {
     fall.add(descent);
     progress.add(descent, fall);
@@ -145,9 +155,11 @@ Eigen::Matrix3Xd solveCoarse(const Device& device, const StrutGrid& grid, Progre
 /// Why the descent ended.
 StopReason solveFinest(PreconditionedDescent& descent, const SolveOptions& options,
                        Progress& progress) {
-  EnergyFall fall(options.energyTolerance);
+  EnergyFall fall(options.energyTolerance, progress.noEnergy());
   for (;;) {
-    if (progress.residualOf(descent) <= options.tolerance) {
+    // Of long, soft grids a small residual says little: the energy must have come to rest too.
+    const bool isQuiet = fall.quietSteps() > 0 || options.energyTolerance == 0;
+    if (isQuiet && progress.residualOf(descent) <= options.tolerance) {
       return StopReason::residual;
     }
     if (fall.quietSteps() >= kQuietSteps) {
@@ -175,10 +187,10 @@ Equilibrium solveMultigrid(const Device& device, const StrutGrid& grid, DeviceGr
     Eigen::Matrix3Xd positions = grids.front().grid.positions;
     for (std::size_t n = 0; n + 1 < grids.size(); ++n) {
       StrutGrid coarse = grids[n].grid;
-      coarse.positions = positions;
+      coarse.positions = withImperfection(coarse, std::move(positions));
       positions = prolong(grids[n], solveCoarse(device, coarse, progress), grids[n + 1]);
     }
-    deviceGrid.uploadPositions(positions);
+    deviceGrid.uploadPositions(withImperfection(grid, std::move(positions)));
   }
 
   PreconditionedDescent descent(device, deviceGrid, precisionOf(device));

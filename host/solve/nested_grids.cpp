@@ -16,6 +16,12 @@ constexpr double kLargestTurn = 1;
 constexpr double kFirstThickness = 1.4142135623730951;
 // Rest lengths of the layers of one strut may differ by this share of their mean.
 constexpr double kLargestLayerDifference = 0.35;
+// Where corners weigh less than this share of the lateral struts' mean stiffness, the way from flat
+// is long and winds. It begins with heavier ones, which get lighter by a factor at a time; from the
+// last share to none.
+constexpr double kLightCorner = 0.1;
+constexpr double kCornerFactor = 10;
+constexpr double kLightestCorner = 1e-5;
 
 /// Where a point of a line of `count` points lies among the `coarseCount` points of a coarser line
 /// over the same length, or the other way round.
@@ -271,6 +277,28 @@ NestedGrid thickened(StrutGrid grid, const StrutGrid& finest, double wantedThick
   return {std::move(grid), thickness};
 }
 
+double meanLateralStiffness(const StrutGrid& grid) {
+  double sum = 0;
+  int count = 0;
+  for (const Strut& strut : listStruts(grid.shape)) {
+    if (strut.direction != Strut::Direction::w) {
+      sum += valueAt(grid.stiffness, strut);
+      ++count;
+    }
+  }
+  return sum / count;
+}
+
+/// Problems that differ from the last one by heavier and heavier corners.
+void addHeavierCorners(std::vector<NestedGrid>& grids) {
+  const double stiffness = meanLateralStiffness(grids.back().grid);
+  while (grids.back().grid.angleWeight < kLightCorner * stiffness) {
+    grids.push_back(grids.back());
+    double& weight = grids.back().grid.angleWeight;
+    weight = std::max(kCornerFactor * weight, kLightestCorner * stiffness);
+  }
+}
+
 int halved(int vertices) { return std::max(1, vertices / 2) + 1; }
 
 }  // namespace
@@ -287,6 +315,7 @@ std::vector<NestedGrid> nestGrids(const StrutGrid& finest) {
     const double factor = grids.size() == 1 ? kFirstThickness : 2;
     grids.push_back(thickened(std::move(coarse), finest, factor * grids.back().thickness));
   }
+  addHeavierCorners(grids);
   std::reverse(grids.begin(), grids.end());
   return grids;
 }

@@ -5,7 +5,7 @@
 
 namespace morphgrid {
 
-/// A problem of fewer nodes whose equilibrium resembles that of a finer one.
+/// A problem of fewer nodes, or heavier corners, whose equilibrium resembles that of a finer one.
 struct NestedGrid {
   StrutGrid grid;
   double thickness;  ///< Distance of its layers over that of the finest grid's.
@@ -16,7 +16,8 @@ struct NestedGrid {
 /// have to turn by more than 1 rad; the layers move apart by 2 (at first by sqrt(2)), as far as the
 /// rest lengths allow: grids that are thin for their spacing are the hard ones. A coarse strut
 /// rests at the sum of the struts that it stands for, interpolated between lines; where layers
-/// differ, the difference grows with their distance, which keeps the curvature.
+/// differ, the difference grows with their distance, which keeps the curvature. Where corners are
+/// light beside struts, the coarsest grid comes several times, at first with heavier corners.
 std::vector<NestedGrid> nestGrids(const StrutGrid& finest);
 
 /// Positions for the finer grid: the mean of all layers and the layers' offsets from it, in cubic

@@ -1,7 +1,9 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
+#include "grid/build_grids.h"
 #include "solve/multigrid_solver.h"
 #include "solve/reference_solver.h"
 #include "tests/solve/reference_problem.h"
@@ -18,6 +20,12 @@ class Multigrid : public DeviceTest {
     return solveMultigrid(device_, grid, deviceGrid, options);
   }
 };
+
+/// Where the oracle comes to from an answer.
+double energyDownhillFrom(const Equilibrium& found, StrutGrid grid) {
+  grid.positions = found.positions;
+  return solveReference(grid, {.tolerance = 1e-11, .iterationLimit = 500}).energy;
+}
 
 struct Answer {
   const char* name;
@@ -58,7 +66,53 @@ INSTANTIATE_TEST_SUITE_P(OddShapes, MultigridShapes,
                          testing::Values(GridShape{2, 2, 1}, GridShape{2, 2, 2},
                                          GridShape{9, 17, 1}, GridShape{17, 3, 2},
                                          GridShape{7, 5, 5}, GridShape{3, 18, 3},
-                                         GridShape{5, 4, 9}));
+                                         GridShape{5, 4, 9}, GridShape{2, 40, 3},
+                                         GridShape{3, 2, 16}));
+
+/// What struts and corners weigh, beside 5 for the lateral struts.
+struct Extreme {
+  const char* name;
+  double vertical;
+  double angle;
+};
+
+class MultigridExtremes : public Multigrid, public testing::WithParamInterface<Extreme> {};
+
+TEST_P(MultigridExtremes, AgreesWithTheOracle) {
+  StrutGrid grid = bentGrid({9, 7, 3}, 8);
+  std::fill(grid.stiffness.w.begin(), grid.stiffness.w.end(), GetParam().vertical);
+  grid.angleWeight = GetParam().angle;
+  const Equilibrium found = solve(grid);
+  EXPECT_TRUE(found.converged) << toString(found.reason);
+  const double lowest = energyDownhillFrom(found, grid);
+  EXPECT_NEAR(found.energy, lowest, 1e-6 * lowest + 1e-7);
+}
+
+INSTANTIATE_TEST_SUITE_P(Weights, MultigridExtremes,
+                         testing::Values(Extreme{"SoftColumns", 5e-3, 1},
+                                         Extreme{"LightCorners", 40, 5e-3},
+                                         Extreme{"HeavyCorners", 40, 5e3},
+                                         Extreme{"NoCorners", 40, 0}),
+                         [](const auto& test) { return std::string(test.param.name); });
+
+TEST_F(Multigrid, SymmetricGridDoesNotRestAtASaddle) {
+  // Equal bends along u and v fit no surface: the symmetric answer is a saddle of the energy.
+  const GridDesign design = designFromBendAngles({24, 24, 3, 0.35, 1, 0.13, 0.13, 0.13, 0.13});
+  const Weights weights;
+  const auto flat = inPlaneGrid(design, weights, Scaling::normalised).positions;
+  const StrutGrid grid = stackedGrid(design, weights, Scaling::normalised, flat);
+  const Equilibrium found = solve(grid);
+  EXPECT_TRUE(found.converged);
+  EXPECT_NEAR(found.energy / energyDownhillFrom(found, grid), 1, 1e-6);
+}
+
+TEST_F(Multigrid, SoftGridConvergesOnlyWhenItsEnergyRests) {
+  // So long that the residual is small long before the energy is.
+  const StrutGrid grid = circularStrip(200, 3, 0.01, 0.3);
+  const Equilibrium found = solve(grid, {.tolerance = 1e-5});
+  EXPECT_TRUE(found.converged);
+  EXPECT_NEAR(found.energy / energyDownhillFrom(found, grid), 1, 1e-6);
+}
 
 TEST_F(Multigrid, TwoRunsGiveTheSameBits) {
   const StrutGrid grid = bentGrid({14, 13, 3}, 5);

@@ -67,6 +67,26 @@ TEST(NestedGrids, StopWhereStrutsWouldTurnTooFar) {
   EXPECT_EQ(nestGrids(circularStrip(40, 3, 0.6, 0.3)).size(), 1u);
 }
 
+TEST(NestedGrids, BeginWithHeavierCornersWhereTheyAreLight) {
+  StrutGrid grid = bentGrid({18, 9, 2}, 3);  // Lateral stiffness 5.
+  grid.angleWeight = 0.01;
+  const auto grids = nestGrids(grid);
+  ASSERT_EQ(grids.size(), 4u);
+  EXPECT_DOUBLE_EQ(grids[0].grid.angleWeight, 1);
+  EXPECT_DOUBLE_EQ(grids[1].grid.angleWeight, 0.1);
+  EXPECT_EQ(grids[1].grid.shape, grids[2].grid.shape);
+  EXPECT_EQ(grids[2].grid.angleWeight, 0.01);
+  EXPECT_EQ(grids[3].grid.shape, grid.shape);
+}
+
+TEST(NestedGrids, CornersMayWeighNothing) {
+  StrutGrid grid = bentGrid({5, 5, 2}, 3);
+  grid.angleWeight = 0;
+  const auto grids = nestGrids(grid);
+  EXPECT_GT(grids.front().grid.angleWeight, 0.1);
+  EXPECT_EQ(grids.back().grid.angleWeight, 0);
+}
+
 TEST(NestedGrids, ProlongationReproducesCubicsAndOffsets) {
   const auto grids = nestGrids(circularStrip(80, 3, 0, 0.3));
   const NestedGrid& coarse = grids[grids.size() - 2];

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "benchmark/ray_benchmark.h"
+#include "benchmark/robustness.h"
 #include "benchmark/solve_benchmark.h"
 #include "benchmark/sweep_benchmark.h"
 #include "core/error.h"
@@ -31,6 +32,7 @@ int runBenchmark(std::vector<std::string> arguments) {
   addSolveBenchmark(app);
   addSweepBenchmark(app);
   addRayBenchmark(app);
+  addRobustnessTable(app);
   std::reverse(arguments.begin(), arguments.end());  // As CLI11 takes them.
   try {
     app.parse(arguments);
