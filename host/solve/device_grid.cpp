@@ -140,8 +140,8 @@ void DeviceGrid::uploadRest(const StrutValues& rest) {
   upload(device_, rest_, packed);
 }
 
-Eigen::Matrix3Xd DeviceGrid::downloadPositions() const {
-  const auto packed = download<ivec4>(device_, positions_, shape_.vertexCount());
+Eigen::Matrix3Xd DeviceGrid::downloadPositions(const Buffer& from) const {
+  const auto packed = download<ivec4>(device_, from, shape_.vertexCount());
   Eigen::Matrix3Xd positions(3, shape_.vertexCount());
   for (Eigen::Index n = 0; n < positions.cols(); ++n) {
     positions.col(n) = origin_ + spacing_ * resolution_ * decode(packed[n]);

@@ -45,7 +45,9 @@ class DeviceGrid {
   /// velocity).
   void uploadPositions(const Eigen::Matrix3Xd& positions);
   void uploadRest(const StrutValues& rest);
-  Eigen::Matrix3Xd downloadPositions() const;
+  Eigen::Matrix3Xd downloadPositions() const { return downloadPositions(positions_); }
+  /// From another buffer of such positions. Uploading them again gives the same bits.
+  Eigen::Matrix3Xd downloadPositions(const Buffer& from) const;
 
  private:
   const Device& device_;

@@ -14,6 +14,8 @@ std::string toString(StopReason reason) {
       return "stagnated";
     case StopReason::interrupted:
       return "interrupted";
+    case StopReason::deviceFailure:
+      return "device failure";
   }
   return "unknown";
 }

@@ -15,9 +15,11 @@ enum class StopReason {
   iterationLimit,  ///< The limit came first.
   stagnated,       ///< The residual no longer falls at the precision of the positions.
   interrupted,     ///< The user asked to stop.
+  deviceFailure,   ///< The device failed; the positions are the last that are known.
 };
 
-/// "residual", "energy", "iteration limit", "stagnated", "interrupted".
+/// "residual", "energy", "iteration limit", "stagnated", "interrupted", "device
+/// failure".
 std::string toString(StopReason reason);
 
 struct ConvergenceSample {
@@ -27,6 +29,15 @@ struct ConvergenceSample {
   double seconds;           ///< Since the stage began.
   double gridShare = 1;     ///< Vertices over those of the grid: below 1 on coarser grids.
   double secondsLeft = -1;  ///< Estimate; negative: unknown.
+};
+
+/// Where a solve stands: enough to go on from, in another process too.
+struct SolveCheckpoint {
+  int phase = 0;               ///< Multigrid: which nested grid; Jacobi: which load step.
+  Eigen::Matrix3Xd positions;  ///< 3 x vertexCount of the phase's grid, in the scene's unit.
+  double iterations = 0;
+  double seconds = 0;
+  std::vector<ConvergenceSample> history;
 };
 
 struct SolveOptions {
@@ -40,6 +51,11 @@ struct SolveOptions {
   bool startsNear = false;
   /// Called now and then with the newest sample; may be empty.
   std::function<void(const ConvergenceSample&)> onProgress;
+  /// Called with where the solve stands, as often as costs 1 % of its time, and when it has to end
+  /// early; may be empty.
+  std::function<void(SolveCheckpoint)> onCheckpoint;
+  /// Of a solve of the same grid by the same method. Iterations and seconds count on from there.
+  std::optional<SolveCheckpoint> resumeFrom;
 };
 
 /// Where a grid comes to rest. Energy and residual are recomputed in double from `positions`.

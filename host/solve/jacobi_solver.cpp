@@ -10,6 +10,7 @@
 
 #include "core/error.h"
 #include "core/interrupt.h"
+#include "solve/checkpoint_pace.h"
 #include "solve/control_comp.h"
 #include "solve/energy.h"
 #include "solve/sweep_comp.h"
@@ -136,7 +137,14 @@ void JacobiSolver::sweep(int count, bool precise) {
 class JacobiSolver::RunLog {
  public:
   RunLog(const SolveOptions& options, double energyScale)
-      : options_(options), energyScale_(energyScale) {}
+      : options_(options), pace_(options), energyScale_(energyScale) {
+    if (const auto& from = options.resumeFrom) {
+      sweeps_ = static_cast<long>(from->iterations);
+      start_ -=
+          std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(from->seconds));
+      history_ = from->history;
+    }
+  }
 
   double seconds() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
   long sweeps() const { return sweeps_; }
@@ -152,6 +160,15 @@ class JacobiSolver::RunLog {
       bestResidual_ = sample.residual;
       bestSweep_ = sweeps_;
     }
+  }
+
+  void beginLoadStep(int step) { loadStep_ = step; }
+
+  void offerCheckpoint(const DeviceGrid& grid) {
+    pace_.offer(loadStep_, reasonToStop().has_value(), [&] {
+      return SolveCheckpoint{loadStep_, grid.downloadPositions(), static_cast<double>(sweeps_),
+                             seconds(), history_};
+    });
   }
 
   /// A new problem begins: its residuals are not comparable with those before.
@@ -182,7 +199,9 @@ class JacobiSolver::RunLog {
 
  private:
   const SolveOptions& options_;
+  CheckpointPace pace_;
   double energyScale_;
+  int loadStep_ = 0;
   Clock::time_point start_ = Clock::now();
   long sweeps_ = 0;
   double bestResidual_ = std::numeric_limits<double>::infinity();
@@ -207,6 +226,7 @@ void JacobiSolver::runUntil(const SweepKernels& kernels, double tolerance, long 
       log.add(samples_.mapped<SolverSample>()[n]);
     }
     log.report();
+    log.offerCheckpoint(deviceGrid_);
     if (state.done != 0) {
       return;
     }
@@ -216,13 +236,29 @@ void JacobiSolver::runUntil(const SweepKernels& kernels, double tolerance, long 
   }
 }
 
+int JacobiSolver::start(const std::optional<SolveCheckpoint>& from) {
+  if (!from) {
+    return 1;
+  }
+  if (from->phase < 1 || from->phase > kLoadSteps ||
+      from->positions.cols() != grid_.shape.vertexCount()) {
+    throw InputError(
+        fmt::format("the checkpoint's {} positions at load step {} are not of this grid",
+                    from->positions.cols(), from->phase));
+  }
+  deviceGrid_.uploadPositions(from->positions);
+  return from->phase;
+}
+
 Equilibrium JacobiSolver::solve(const SolveOptions& options) {
   RunLog log(options, grid_.spacing * grid_.spacing);
   Equilibrium result;
-  for (int step = 1; step < kLoadSteps && !log.reasonToStop(); ++step) {
+  for (int step = start(options.resumeFrom); step < kLoadSteps && !log.reasonToStop(); ++step) {
+    log.beginLoadStep(step);
     deviceGrid_.uploadRest(loadedRest(grid_, double(step) / kLoadSteps));
     runUntil(sweeps_, std::max(kLoadTolerance, options.tolerance), kLoadSweeps, log);
   }
+  log.beginLoadStep(kLoadSteps);
   deviceGrid_.uploadRest(grid_.rest);
   const SweepKernels& finalSweeps = device_.hasFloat64() ? preciseSweeps() : sweeps_;
   if (options.tolerance < kSinglePrecisionResidual) {

@@ -17,7 +17,8 @@ class JacobiSolver {
   /// Keeps references; the device grid holds the newest state before, during and after solve().
   JacobiSolver(const Device& device, const StrutGrid& grid, DeviceGrid& deviceGrid);
 
-  /// Throws DeviceError when the device fails.
+  /// Throws DeviceError when the device fails, InputError when the checkpoint to resume from is of
+  /// another grid.
   Equilibrium solve(const SolveOptions& options);
 
   /// Runs `count` sweeps on the state as it is, the first without momentum, and waits: for the
@@ -40,6 +41,8 @@ class JacobiSolver {
   const SweepKernels& preciseSweeps();
   void record(const SweepKernels& kernels, int sweeps);
   void resetState(double tolerance);
+  /// Uploads a checkpoint's positions, if there is one; returns the load step to begin with.
+  int start(const std::optional<SolveCheckpoint>& from);
   void runUntil(const SweepKernels& kernels, double tolerance, long sweepLimit, RunLog& log);
 
   const Device& device_;

@@ -9,6 +9,7 @@
 
 #include "core/error.h"
 #include "core/interrupt.h"
+#include "solve/checkpoint_pace.h"
 #include "solve/energy.h"
 #include "solve/imperfection.h"
 #include "solve/nested_grids.h"
@@ -66,9 +67,16 @@ class EnergyFall {
 class Progress {
  public:
   Progress(const SolveOptions& options, const std::vector<NestedGrid>& grids)
-      : options_(options), finest_(grids.back().grid) {
-    for (const NestedGrid& nested : grids) {
-      cyclesToCome_ += kExpectedCycles * share(nested.grid);
+      : options_(options), grids_(grids), pace_(options) {
+    if (const auto& from = options.resumeFrom) {
+      phase_ = from->phase;
+      cycles_ = from->iterations;
+      start_ -=
+          std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(from->seconds));
+      history_ = from->history;
+    }
+    for (std::size_t n = phase_; n < grids.size(); ++n) {
+      cyclesToCome_ += kExpectedCycles * share(grids[n].grid);
     }
   }
 
@@ -76,7 +84,9 @@ class Progress {
   double cycles() const { return cycles_; }
   std::vector<ConvergenceSample>& history() { return history_; }
 
-  void beginGrid(const StrutGrid& grid) {
+  void beginGrid(std::size_t n) {
+    const StrutGrid& grid = grids_[n].grid;
+    phase_ = n;
     share_ = share(grid);
     energyScale_ = grid.spacing * grid.spacing;
     const double stiffness = 2 * StrutEnergy(grid).constraintWeights().mean();
@@ -91,7 +101,7 @@ class Progress {
     return descent.gradientNorm() * residualScale_;
   }
 
-  /// After a step on the grid begun last.
+  /// After a step on the grid begun last. Tells the world.
   void add(const PreconditionedDescent& descent, const EnergyFall& fall) {
     cycles_ += share_;
     const double residual = residualOf(descent);
@@ -105,6 +115,10 @@ class Progress {
     if (options_.onProgress) {
       options_.onProgress(history_.back());
     }
+    const int phase = static_cast<int>(phase_);
+    pace_.offer(phase, reasonToStop().has_value(), [&] {
+      return SolveCheckpoint{phase, descent.positions(), cycles_, seconds(), history_};
+    });
   }
 
   std::optional<StopReason> reasonToStop() const {
@@ -119,12 +133,14 @@ class Progress {
 
  private:
   double share(const StrutGrid& grid) const {
-    return double(grid.shape.vertexCount()) / finest_.shape.vertexCount();
+    return double(grid.shape.vertexCount()) / grids_.back().grid.shape.vertexCount();
   }
 
   const SolveOptions& options_;
-  const StrutGrid& finest_;
+  const std::vector<NestedGrid>& grids_;
+  CheckpointPace pace_;
   Clock::time_point start_ = Clock::now();
+  std::size_t phase_ = 0;  ///< The grid begun last.
   double share_ = 1;
   double energyScale_ = 1;
   double residualScale_ = 1;  ///< From a gradient's norm, see StrutEnergy::residual().
@@ -142,19 +158,34 @@ Precision precisionOf(const Device& device) {
 Eigen::Matrix3Xd solveCoarse(const Device& device, const StrutGrid& grid, Progress& progress) {
   DeviceGrid deviceGrid(device, grid);
   PreconditionedDescent descent(device, deviceGrid, precisionOf(device));
-  progress.beginGrid(grid);
   EnergyFall fall(kCoarseTolerance, progress.noEnergy());
   while (!progress.reasonToStop() && fall.quietSteps() == 0 && descent.iterate()) {
     fall.add(descent);
     progress.add(descent, fall);
   }
-  descent.finish();
-  return deviceGrid.downloadPositions();
+  return descent.positions();
 }
 
-/// Why the descent ended.
-StopReason solveFinest(PreconditionedDescent& descent, const SolveOptions& options,
-                       Progress& progress) {
+/// Where the finest grid starts: the nested ones are solved, those that the checkpoint leaves.
+Eigen::Matrix3Xd solveNested(const Device& device, const std::vector<NestedGrid>& grids,
+                             const std::optional<SolveCheckpoint>& from, Progress& progress) {
+  std::size_t n = from ? from->phase : 0;
+  Eigen::Matrix3Xd positions = from ? from->positions : grids.front().grid.positions;
+  for (; n + 1 < grids.size(); ++n) {
+    if (!progress.reasonToStop()) {
+      StrutGrid coarse = grids[n].grid;
+      coarse.positions = withImperfection(coarse, std::move(positions));
+      progress.beginGrid(n);
+      positions = solveCoarse(device, coarse, progress);
+    }
+    positions = prolong(grids[n], positions, grids[n + 1]);
+  }
+  return withImperfection(grids.back().grid, std::move(positions));
+}
+
+/// Runs until there is a reason to stop.
+StopReason descend(PreconditionedDescent& descent, const SolveOptions& options,
+                   Progress& progress) {
   EnergyFall fall(options.energyTolerance, progress.noEnergy());
   for (;;) {
     // Of long, soft grids a small residual says little: the energy must have come to rest too.
@@ -176,28 +207,54 @@ StopReason solveFinest(PreconditionedDescent& descent, const SolveOptions& optio
   }
 }
 
+StopReason solveFinest(const Device& device, DeviceGrid& deviceGrid, const SolveOptions& options,
+                       Progress& progress, std::size_t phase) {
+  // Setting up the finest grid takes a while: not for somebody who has asked to stop.
+  if (const auto reason = progress.reasonToStop()) {
+    return *reason;
+  }
+  PreconditionedDescent descent(device, deviceGrid, precisionOf(device));
+  progress.beginGrid(phase);
+  const StopReason reason = descend(descent, options, progress);
+  descent.finish();
+  return reason;
+}
+
+std::vector<NestedGrid> nestGridsFor(const StrutGrid& grid,
+                                     const std::optional<SolveCheckpoint>& checkpoint) {
+  std::vector<NestedGrid> grids = nestGrids(grid);
+  if (checkpoint) {
+    const auto phase = static_cast<std::size_t>(checkpoint->phase);
+    const auto count = checkpoint->positions.cols();
+    if (phase >= grids.size() || count != grids[phase].grid.shape.vertexCount()) {
+      throw InputError(fmt::format(
+          "the checkpoint's {} positions of nested grid {} are not of this grid", count, phase));
+    }
+  }
+  return grids;
+}
+
 }  // namespace
+
+Eigen::Matrix3Xd finestPositions(const StrutGrid& grid, const SolveCheckpoint& checkpoint) {
+  const std::vector<NestedGrid> grids = nestGridsFor(grid, checkpoint);
+  Eigen::Matrix3Xd positions = checkpoint.positions;
+  for (std::size_t n = checkpoint.phase; n + 1 < grids.size(); ++n) {
+    positions = prolong(grids[n], positions, grids[n + 1]);
+  }
+  return positions;
+}
 
 Equilibrium solveMultigrid(const Device& device, const StrutGrid& grid, DeviceGrid& deviceGrid,
                            const SolveOptions& options) {
-  const std::vector<NestedGrid> grids =
-      options.startsNear ? std::vector<NestedGrid>{{grid, 1}} : nestGrids(grid);
+  const std::vector<NestedGrid> grids = options.startsNear ? std::vector<NestedGrid>{{grid, 1}}
+                                                           : nestGridsFor(grid, options.resumeFrom);
   Progress progress(options, grids);
   if (!options.startsNear) {
-    Eigen::Matrix3Xd positions = grids.front().grid.positions;
-    for (std::size_t n = 0; n + 1 < grids.size(); ++n) {
-      StrutGrid coarse = grids[n].grid;
-      coarse.positions = withImperfection(coarse, std::move(positions));
-      positions = prolong(grids[n], solveCoarse(device, coarse, progress), grids[n + 1]);
-    }
-    deviceGrid.uploadPositions(withImperfection(grid, std::move(positions)));
+    deviceGrid.uploadPositions(solveNested(device, grids, options.resumeFrom, progress));
   }
-
-  PreconditionedDescent descent(device, deviceGrid, precisionOf(device));
-  progress.beginGrid(grid);
   Equilibrium result;
-  result.reason = solveFinest(descent, options, progress);
-  descent.finish();
+  result.reason = solveFinest(device, deviceGrid, options, progress, grids.size() - 1);
 
   result.positions = deviceGrid.downloadPositions();
   const StrutEnergy energy(grid);

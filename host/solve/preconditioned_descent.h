@@ -15,6 +15,10 @@ class PreconditionedDescent {
   /// this precision it falls no further.
   bool iterate();
 
+  /// Those reached so far, 3 x vertexCount, in the scene's unit of length.
+  Eigen::Matrix3Xd positions() const {
+    return grid_.downloadPositions(vectors_.currentPositions());
+  }
   double energy() const { return sums_.energy; }
   double gradientNorm() const;
   /// By how much the energy would have fallen in the last step, were it quadratic; infinite before

@@ -1,11 +1,15 @@
 #include "solve/reference_solver.h"
 
+#include <fmt/format.h>
+
 #include <chrono>
 #include <deque>
 #include <limits>
 #include <optional>
 
+#include "core/error.h"
 #include "core/interrupt.h"
+#include "solve/checkpoint_pace.h"
 #include "solve/constant_matrix.h"
 
 namespace morphgrid {
@@ -99,16 +103,28 @@ std::optional<Trial> searchLine(const StrutEnergy& energy, const Matrix3Xd& posi
 
 Equilibrium solveReference(const StrutGrid& grid, const SolveOptions& options) {
   validate(grid);
-  const auto start = Clock::now();
+  auto start = Clock::now();
   const StrutEnergy energy(grid);
   const ConstantMatrix matrix(grid, energy);
   LimitedMemory memory;
 
   Equilibrium result;
   result.positions = grid.positions;
+  if (const auto& from = options.resumeFrom) {
+    if (from->positions.cols() != grid.shape.vertexCount()) {
+      throw InputError(fmt::format("the checkpoint's {} positions are not of this grid",
+                                   from->positions.cols()));
+    }
+    result.positions = from->positions;
+    result.iterations = static_cast<long>(from->iterations);
+    result.history = from->history;
+    start -=
+        std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(from->seconds));
+  }
+  CheckpointPace pace(options);
   StrutEnergy::Value value = energy.evaluate(result.positions);
   double bestResidual = std::numeric_limits<double>::infinity();
-  long bestIteration = 0;
+  long bestIteration = result.iterations;
   for (;; ++result.iterations) {
     result.energy = value.energy;
     result.residual = energy.residual(value.gradient);
@@ -125,11 +141,16 @@ Equilibrium solveReference(const StrutGrid& grid, const SolveOptions& options) {
       bestResidual = result.residual;
       bestIteration = result.iterations;
     }
+    const bool interrupted = interruptRequested();
+    pace.offer(0, last || interrupted, [&] {
+      return SolveCheckpoint{0, result.positions, static_cast<double>(result.iterations),
+                             result.seconds, result.history};
+    });
     if (last) {
       result.reason = result.converged ? StopReason::residual : StopReason::iterationLimit;
       return result;
     }
-    if (interruptRequested()) {
+    if (interrupted) {
       result.reason = StopReason::interrupted;
       return result;
     }
