@@ -43,6 +43,8 @@ SceneDesign designFromMesh(const MeshTarget& target, const DesignRequest& reques
   return designed;
 }
 
+}  // namespace
+
 const char* nameOf(Method method) {
   switch (method) {
     case Method::multigrid:
@@ -58,8 +60,6 @@ const char* nameOf(Method method) {
 const char* nameOf(Scaling scaling) {
   return scaling == Scaling::normalised ? "normalised" : "shapeop";
 }
-
-}  // namespace
 
 SceneDesign designScene(const Scene& scene) {
   try {

@@ -21,6 +21,10 @@ struct SceneDesign {
 /// Measures the surface and designs the grid. Throws InputError when they cannot be had.
 SceneDesign designScene(const Scene& scene);
 
+/// As scene files call them.
+const char* nameOf(Method method);
+const char* nameOf(Scaling scaling);
+
 /// What there is to report before anything is solved.
 RunRecord recordOf(const Scene& scene, const SceneDesign& designed);
 
