@@ -26,11 +26,14 @@ constexpr const char* kExamples = R"(
 Examples:
   morphgrid run scenes/egg_chair.toml
   morphgrid run scenes/iris_petal.toml --out /tmp/petal --set grid.layers=3
+  morphgrid run scenes/face.toml --set grid.nodes_long=600 --checkpoint face.checkpoint
+  morphgrid run scenes/face.toml --set grid.nodes_long=600 --resume face.checkpoint
   morphgrid check scenes/patch.toml --set grid.layer_spacing=30
   morphgrid devices
 
 Exit codes: 0 converged, 2 bad input, 3 not converged (results written),
-            4 device failure, 130 interrupted (results written))";
+            4 device failure (what was solved before it is written),
+            130 interrupted (results written))";
 
 struct Arguments {
   std::filesystem::path scene;
@@ -39,6 +42,8 @@ struct Arguments {
   DeviceOptions device;
   bool smallestEigenvalue = false;
   bool quiet = false;
+  CheckpointOptions checkpoint;
+  std::filesystem::path resumeFrom;
 };
 
 void logNotices(const RunRecord& record) {
@@ -59,10 +64,22 @@ int exitCodeOf(const RunRecord& record) {
     return (record.inPlane && condition(*record.inPlane)) ||
            (record.full && condition(*record.full));
   };
+  if (record.deviceFailure) {
+    return kDeviceFailure;
+  }
   if (ended([](const Equilibrium& e) { return e.reason == StopReason::interrupted; })) {
     return kInterrupted;
   }
   return ended([](const Equilibrium& e) { return !e.converged; }) ? kNotConverged : kConverged;
+}
+
+void tellFailure(const RunRecord& record, const std::filesystem::path& folder,
+                 const CheckpointOptions& checkpoint) {
+  fmt::print(stderr, "device failure: {}\nwhat was done before is in {}; {}\n",
+             *record.deviceFailure, folder.string(),
+             std::filesystem::exists(checkpoint.file)
+                 ? fmt::format("go on with --resume {}", checkpoint.file.string())
+                 : "with --checkpoint FILE a run can go on after that");
 }
 
 int run(const Arguments& arguments) {
@@ -71,10 +88,14 @@ int run(const Arguments& arguments) {
   const auto folder = arguments.outputFolder.empty() ? std::filesystem::path("out") / scene.name
                                                      : arguments.outputFolder;
   installInterruptHandler();
-  const RunRecord record = runScene(scene, {folder, arguments.device, arguments.quiet});
+  const RunRecord record = runScene(scene, {folder, arguments.device, arguments.quiet,
+                                            arguments.checkpoint, arguments.resumeFrom});
   if (!arguments.quiet) {
     logNotices(record);
     fmt::print("{}results in {}\n", toTable(record), folder.string());
+  }
+  if (record.deviceFailure) {
+    tellFailure(record, folder, arguments.checkpoint);
   }
   const int exitCode = exitCodeOf(record);
   if (exitCode == kNotConverged) {
@@ -142,6 +163,16 @@ int runCommandLine(int argc, char** argv) {
                          "Vulkan device, by index or part of its name [the first that will do]");
   runCommand->add_flag("--smallest-eigenvalue", arguments.smallestEigenvalue,
                        "find out whether the equilibria are minima, as solver.smallest_eigenvalue");
+  CLI::Option* checkpoint = runCommand->add_option(
+      "--checkpoint", arguments.checkpoint.file,
+      "keep in this file where the run stands, for --resume after a kill or Ctrl-C");
+  runCommand
+      ->add_option("--checkpoint-minutes", arguments.checkpoint.minutes,
+                   "between two checkpoints [5]")
+      ->check(CLI::PositiveNumber)
+      ->needs(checkpoint);
+  runCommand->add_option("--resume", arguments.resumeFrom,
+                         "go on where the run stood that wrote this checkpoint");
   runCommand->add_flag("--quiet", arguments.quiet, "print errors only");
   runCommand->add_flag("--validate", arguments.device.validation,
                        "run under the Vulkan validation layers; any message is a device failure");

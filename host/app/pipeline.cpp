@@ -7,38 +7,19 @@
 #include <memory>
 
 #include "app/design_scene.h"
-#include "app/pictures.h"
-#include "app/progress_line.h"
+#include "app/stages.h"
 #include "core/atomic_file.h"
 #include "core/error.h"
-#include "core/interrupt.h"
 #include "core/rigid_alignment.h"
 #include "export/gltf.h"
 #include "export/surface_files.h"
 #include "export/vtu.h"
 #include "report/report_files.h"
-#include "solve/jacobi_solver.h"
-#include "solve/multigrid_solver.h"
-#include "solve/preconditioners.h"
-#include "solve/reference_solver.h"
 
 namespace morphgrid {
 namespace {
 
 constexpr int kSurfaceRefinement = 4;  // Cells per grid cell, along u and v, of the surface files.
-
-/// The device and the pictures of a run; a run on the CPU without pictures needs neither.
-struct Stagehands {
-  std::unique_ptr<Device> device;
-  std::unique_ptr<Pictures> pictures;
-};
-
-/// A grid on its way to equilibrium, with its copy on the device.
-struct Stage {
-  StrutGrid grid;
-  std::unique_ptr<DeviceGrid> onDevice;
-  Equilibrium equilibrium;
-};
 
 std::filesystem::path createFolder(const std::filesystem::path& folder) {
   std::error_code error;
@@ -48,46 +29,6 @@ std::filesystem::path createFolder(const std::filesystem::path& folder) {
         fmt::format("--out {}: the folder cannot be made: {}", folder.string(), error.message()));
   }
   return folder;
-}
-
-Stage prepare(StrutGrid grid, const Stagehands& hands) {
-  Stage stage{std::move(grid), nullptr, {}};
-  if (hands.device) {
-    stage.onDevice = std::make_unique<DeviceGrid>(*hands.device, stage.grid);
-  }
-  return stage;
-}
-
-void solve(Stage& stage, const char* name, const Scene& scene, const RunOptions& options,
-           const Stagehands& hands) {
-  ProgressLine progress(name, scene.solve.tolerance);
-  SolveOptions solveOptions = scene.solve;
-  if (!options.quiet) {
-    solveOptions.onProgress = [&](const ConvergenceSample& sample) { progress.update(sample); };
-  }
-  if (scene.method == Method::multigrid) {
-    stage.equilibrium = solveMultigrid(*hands.device, stage.grid, *stage.onDevice, solveOptions);
-  } else if (scene.method == Method::jacobi) {
-    JacobiSolver solver(*hands.device, stage.grid, *stage.onDevice);
-    stage.equilibrium = solver.solve(solveOptions);
-  } else {
-    stage.equilibrium = solveReference(stage.grid, solveOptions);
-    if (stage.onDevice) {
-      stage.onDevice->uploadPositions(stage.equilibrium.positions);
-    }
-  }
-}
-
-/// On request: is the equilibrium a minimum?
-void judge(Stage& stage, Motions motions, const Scene& scene, const Stagehands& hands) {
-  if (!scene.smallestEigenvalue || interruptRequested()) {
-    return;
-  }
-  const Preconditioner preconditioner = scene.method == Method::reference
-                                            ? constantMatrixPreconditioner(stage.grid)
-                                            : vCyclePreconditioner(*hands.device, *stage.onDevice);
-  stage.equilibrium.smallestEigenvalue = computeSmallestEigenvalue(
-      stage.grid, stage.equilibrium.positions, preconditioner, {.motions = motions});
 }
 
 void noteSaddle(RunRecord& record, const char* stage, const Equilibrium& equilibrium) {
@@ -152,34 +93,20 @@ Stagehands summonStagehands(const Scene& scene, const RunOptions& options,
   return hands;
 }
 
-/// One layer of square cells morphs in its plane to what is printed.
-Stage runInPlane(const Scene& scene, const RunOptions& options, const GridDesign& design,
-                 const Stagehands& hands) {
-  Stage stage = prepare(inPlaneGrid(design, scene.weights, scene.scaling), hands);
-  if (hands.pictures) {
-    hands.pictures->drawFlat("initial", "initial: one layer of square cells", *stage.onDevice,
-                             stage.grid.positions);
+/// Throws InputError before anything is solved: nobody wants to learn it after hours.
+CheckpointKeeper checkpointKeeper(const Scene& scene, const GridDesign& design,
+                                  const RunOptions& options) {
+  const auto settings = checkpointSettings(scene, design);
+  CheckpointKeeper keeper(options.checkpoint, settings);
+  if (!options.checkpoint.file.empty()) {
+    requireWritableCheckpoint(options.checkpoint.file);
   }
-  solve(stage, "in plane", scene, options, hands);
-  judge(stage, Motions::inPlane, scene, hands);
-  if (hands.pictures) {
-    hands.pictures->drawFlat("in_plane", "in plane: as printed", *stage.onDevice,
-                             stage.equilibrium.positions);
+  if (!options.resumeFrom.empty()) {
+    Checkpoint checkpoint = readCheckpoint(options.resumeFrom);
+    requireSameSettings(options.resumeFrom, checkpoint, settings);
+    keeper.resume(std::move(checkpoint));
   }
-  return stage;
-}
-
-/// The printed layer, stacked, morphs in space.
-Stage runFull(const Scene& scene, const RunOptions& options, const GridDesign& design,
-              const Eigen::Matrix3Xd& printedLayer, const Stagehands& hands) {
-  Stage stage = prepare(stackedGrid(design, scene.weights, scene.scaling, printedLayer), hands);
-  if (hands.pictures) {
-    hands.pictures->drawFlat("stacked", "stacked: all layers, before the morph", *stage.onDevice,
-                             stage.grid.positions);
-  }
-  solve(stage, "full", scene, options, hands);
-  judge(stage, Motions::inSpace, scene, hands);
-  return stage;
+  return keeper;
 }
 
 }  // namespace
@@ -189,21 +116,25 @@ RunRecord checkScene(const Scene& scene) { return recordOf(scene, designScene(sc
 RunRecord runScene(const Scene& scene, const RunOptions& options) {
   const auto start = std::chrono::steady_clock::now();
   const SceneDesign designed = designScene(scene);
+  CheckpointKeeper keeper = checkpointKeeper(scene, designed.design, options);
   const std::filesystem::path folder = createFolder(options.outputFolder);
   RunRecord record = recordOf(scene, designed);
 
-  const Stagehands hands = summonStagehands(scene, options, folder);
-  if (hands.pictures && designed.sampling) {
-    hands.pictures->drawSampling(scene.mesh->mesh, designed.sampling->hits);
+  Stagehands hands = summonStagehands(scene, options, folder);
+  if (designed.sampling) {
+    hands.draw([&](Pictures& pictures) {
+      pictures.drawSampling(scene.mesh->mesh, designed.sampling->hits);
+    });
   }
   record.device =
       scene.method == Method::reference ? "CPU, double precision" : hands.device->name();
 
-  Stage stage = runInPlane(scene, options, designed.design, hands);
+  Stages stages(scene, hands, keeper, options.quiet);
+  Stage stage = stages.runInPlane(designed.design);
   record.inPlane = stage.equilibrium;
   noteSaddle(record, "in-plane", *record.inPlane);
   if (designed.design.layers > 1) {
-    stage = runFull(scene, options, designed.design, record.inPlane->positions, hands);
+    stage = stages.runFull(designed.design, record.inPlane->positions);
     record.full = stage.equilibrium;
     noteSaddle(record, "full", *record.full);
     record.shrink = computeShrink(stage.grid, scene.design.maxShrinkage);
@@ -216,13 +147,14 @@ RunRecord runScene(const Scene& scene, const RunOptions& options) {
                                             *designed.targets, closestPointsOfTarget(scene));
   }
   const Eigen::Isometry3d targetFromGrid = alignResult(stage, designed.targets);
-  if (hands.pictures) {
-    hands.pictures->drawResult(*stage.onDevice, positions, targetFromGrid, designed.targets);
-  }
+  hands.draw([&](Pictures& pictures) {
+    pictures.drawResult(*stage.onDevice, positions, targetFromGrid, designed.targets);
+  });
   exportFiles(stage, targetFromGrid, scene.files, folder);
-  if (hands.device) {
+  if (hands.device && !hands.failure) {
     requireSilence(*hands.device);
   }
+  record.deviceFailure = hands.failure;
   record.secondsTotal =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   writeFileAtomically(folder / "convergence.csv", toConvergenceCsv(record));

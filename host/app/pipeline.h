@@ -1,6 +1,7 @@
 #pragma once
 #include <filesystem>
 
+#include "app/checkpoint_keeper.h"
 #include "app/scene.h"
 #include "gpu/device.h"
 
@@ -10,14 +11,18 @@ struct RunOptions {
   std::filesystem::path outputFolder;
   DeviceOptions device;
   bool quiet = false;  ///< No progress.
+  CheckpointOptions checkpoint;
+  std::filesystem::path resumeFrom;  ///< A checkpoint; empty: the run starts anew.
 };
 
 /// Reads nothing, solves nothing: measures and designs.
 RunRecord checkScene(const Scene& scene);
 
 /// The main job: measure, design, solve in the plane, stack, solve in space; leaves report,
-/// pictures and files in the output folder. Throws InputError when the scene cannot be built or the
-/// folder cannot be written, DeviceError when the device fails.
+/// pictures and files in the output folder. When the device fails on the way, the record and the
+/// files hold what was done so far, without more pictures. Throws InputError when the scene cannot
+/// be built, the folder or checkpoint cannot be written or the checkpoint to resume from will not
+/// do, DeviceError when there is no device that will do.
 RunRecord runScene(const Scene& scene, const RunOptions& options);
 
 }  // namespace morphgrid

@@ -246,21 +246,24 @@ void addResults(Table& table, const RunRecord& record, const PublishedFigures& p
 }  // namespace
 
 std::string toJson(const RunRecord& record) {
-  const ordered_json json{{"scene", record.scene},
-                          {"title", record.title},
-                          {"method", record.method},
-                          {"scaling", record.scaling},
-                          {"device", record.device},
-                          {"seconds_total", record.secondsTotal},
-                          {"grid", toJson(record.grid)},
-                          {"mesh", orNull(record.mesh)},
-                          {"measurement", orNull(record.measurement)},
-                          {"in_plane", orNull(record.inPlane)},
-                          {"full", orNull(record.full)},
-                          {"errors", orNull(record.errors)},
-                          {"distance_to_target", orNull(record.distance)},
-                          {"shrink", orNull(record.shrink)},
-                          {"notices", record.notices}};
+  const ordered_json json{
+      {"scene", record.scene},
+      {"title", record.title},
+      {"method", record.method},
+      {"scaling", record.scaling},
+      {"device", record.device},
+      {"seconds_total", record.secondsTotal},
+      {"grid", toJson(record.grid)},
+      {"mesh", orNull(record.mesh)},
+      {"measurement", orNull(record.measurement)},
+      {"in_plane", orNull(record.inPlane)},
+      {"full", orNull(record.full)},
+      {"errors", orNull(record.errors)},
+      {"distance_to_target", orNull(record.distance)},
+      {"shrink", orNull(record.shrink)},
+      {"device_failure",
+       record.deviceFailure ? ordered_json(*record.deviceFailure) : ordered_json(nullptr)},
+      {"notices", record.notices}};
   return json.dump(2) + "\n";
 }
 

@@ -69,6 +69,7 @@ struct RunRecord {
   std::optional<TargetDistance> distance;
   std::optional<ShrinkFigures> shrink;
   std::optional<PublishedFigures> published;
+  std::optional<std::string> deviceFailure;  ///< What the device said when it failed on the way.
   std::vector<std::string> notices;
 };
 

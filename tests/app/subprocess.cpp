@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <array>
+#include <atomic>
 #include <chrono>
 #include <stdexcept>
 #include <thread>
@@ -32,11 +33,10 @@ namespace {
   _exit(127);
 }
 
-}  // namespace
-
-ProcessResult runMorphgrid(const std::vector<std::string>& arguments,
-                           const std::vector<std::string>& environment,
-                           double interruptAfterSeconds) {
+/// meddle(child, ended) runs beside the program and returns once `ended`.
+ProcessResult runWith(const std::vector<std::string>& arguments,
+                      const std::vector<std::string>& environment,
+                      const std::function<void(pid_t, const std::atomic<bool>&)>& meddle) {
   std::array<int, 2> ends{};
   if (pipe(ends.data()) != 0) {
     throw std::runtime_error("pipe failed");
@@ -47,26 +47,54 @@ ProcessResult runMorphgrid(const std::vector<std::string>& arguments,
     becomeMorphgrid(arguments, environment, ends[1]);
   }
   close(ends[1]);
-  std::thread interrupter;
-  if (interruptAfterSeconds > 0) {
-    interrupter = std::thread([&] {
-      std::this_thread::sleep_for(std::chrono::duration<double>(interruptAfterSeconds));
-      kill(child, SIGINT);
-    });
-  }
+  std::atomic<bool> ended = false;
+  std::thread meddler([&] { meddle(child, ended); });
   ProcessResult result{0, {}};
   std::array<char, 4096> buffer{};
   for (ssize_t count = 0; (count = read(ends[0], buffer.data(), buffer.size())) > 0;) {
     result.output.append(buffer.data(), static_cast<std::size_t>(count));
   }
   close(ends[0]);
-  if (interrupter.joinable()) {
-    interrupter.join();
-  }
+  ended = true;
+  meddler.join();
   int status = 0;
   waitpid(child, &status, 0);
   result.exitCode = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
   return result;
+}
+
+/// Waits until `done` or `ended`; returns whether it was the former.
+bool waitFor(const std::function<bool()>& done, const std::atomic<bool>& ended) {
+  while (!ended) {
+    if (done()) {
+      return true;
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  }
+  return false;
+}
+
+}  // namespace
+
+ProcessResult runMorphgrid(const std::vector<std::string>& arguments,
+                           const std::vector<std::string>& environment,
+                           double interruptAfterSeconds) {
+  using Clock = std::chrono::steady_clock;
+  const auto end = Clock::now() + std::chrono::duration<double>(interruptAfterSeconds);
+  return runWith(arguments, environment, [&](pid_t child, const std::atomic<bool>& ended) {
+    if (interruptAfterSeconds > 0 && waitFor([&] { return Clock::now() >= end; }, ended)) {
+      kill(child, SIGINT);
+    }
+  });
+}
+
+ProcessResult runMorphgridUntil(const std::function<bool()>& done,
+                                const std::vector<std::string>& arguments) {
+  return runWith(arguments, {}, [&](pid_t child, const std::atomic<bool>& ended) {
+    if (waitFor(done, ended)) {
+      kill(child, SIGKILL);
+    }
+  });
 }
 
 }  // namespace morphgrid

@@ -1,4 +1,5 @@
 #pragma once
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -14,5 +15,9 @@ struct ProcessResult {
 ProcessResult runMorphgrid(const std::vector<std::string>& arguments,
                            const std::vector<std::string>& environment = {},
                            double interruptAfterSeconds = 0);
+
+/// Runs it and kills it (SIGKILL) once `done` says so; `done` is asked over and over.
+ProcessResult runMorphgridUntil(const std::function<bool()>& done,
+                                const std::vector<std::string>& arguments);
 
 }  // namespace morphgrid

@@ -1,0 +1,47 @@
+#pragma once
+#include <chrono>
+
+#include "app/checkpoint.h"
+
+namespace morphgrid {
+
+struct CheckpointOptions {
+  std::filesystem::path file;  ///< Empty: none is written.
+  double minutes = 5;          ///< Between two of them, > 0.
+};
+
+/// Where a run stands: in memory, and every so often in a file.
+class CheckpointKeeper {
+ public:
+  CheckpointKeeper(CheckpointOptions options, std::map<std::string, std::string> settings);
+
+  /// Goes on from there.
+  void resume(Checkpoint checkpoint);
+
+  /// The stage in the plane, once it is over.
+  const std::optional<Equilibrium>& inPlane() const { return inPlane_; }
+  /// Of the stage that runs; nothing when it has only begun.
+  const std::optional<SolveCheckpoint>& latest() const { return latest_; }
+
+  /// Writes the file when it is due.
+  void keep(SolveCheckpoint solve);
+  /// A solve is over. Writes the file now if it did not converge; nothing more is kept if the run
+  /// has to end here.
+  void endSolve(const Equilibrium& result);
+  /// From here on it is the full stage that is solved.
+  void beginFullStage(const Equilibrium& inPlane);
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  void save();
+
+  CheckpointOptions options_;
+  std::map<std::string, std::string> settings_;
+  std::optional<Equilibrium> inPlane_;
+  std::optional<SolveCheckpoint> latest_;
+  Clock::time_point lastSaved_ = Clock::now();
+  bool ended_ = false;
+};
+
+}  // namespace morphgrid

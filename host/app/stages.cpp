@@ -1,0 +1,124 @@
+#include "app/stages.h"
+
+#include <cmath>
+
+#include "app/progress_line.h"
+#include "core/interrupt.h"
+#include "solve/energy.h"
+#include "solve/jacobi_solver.h"
+#include "solve/multigrid_solver.h"
+#include "solve/preconditioners.h"
+#include "solve/reference_solver.h"
+
+namespace morphgrid {
+
+Stage Stages::prepare(StrutGrid grid) {
+  Stage stage{std::move(grid), nullptr, {}};
+  if (hands_.device) {
+    hands_.attempt(
+        [&] { stage.onDevice = std::make_unique<DeviceGrid>(*hands_.device, stage.grid); });
+  }
+  return stage;
+}
+
+std::optional<Equilibrium> Stages::solveByMethod(const Stage& stage, const SolveOptions& options) {
+  if (scene_.method == Method::reference) {
+    return solveReference(stage.grid, options);
+  }
+  std::optional<Equilibrium> result;
+  hands_.attempt([&] {
+    result = scene_.method == Method::multigrid
+                 ? solveMultigrid(*hands_.device, stage.grid, *stage.onDevice, options)
+                 : JacobiSolver(*hands_.device, stage.grid, *stage.onDevice).solve(options);
+  });
+  return result;
+}
+
+void Stages::showOnDevice(const Stage& stage) {
+  if (stage.onDevice) {
+    hands_.attempt([&] { stage.onDevice->uploadPositions(stage.equilibrium.positions); });
+  }
+}
+
+/// Where the solve stood when the device failed.
+Equilibrium Stages::lastKnown(const StrutGrid& grid) const {
+  Equilibrium result;
+  result.reason = StopReason::deviceFailure;
+  result.positions = grid.positions;
+  if (const auto& checkpoint = keeper_.latest()) {
+    result.positions = scene_.method == Method::multigrid ? finestPositions(grid, *checkpoint)
+                                                          : checkpoint->positions;
+    result.iterations = static_cast<long>(std::ceil(checkpoint->iterations));
+    result.seconds = checkpoint->seconds;
+    result.history = checkpoint->history;
+  }
+  const StrutEnergy energy(grid);
+  const StrutEnergy::Value value = energy.evaluate(result.positions);
+  result.energy = value.energy;
+  result.residual = energy.residual(value.gradient);
+  return result;
+}
+
+void Stages::solve(Stage& stage, const char* name) {
+  ProgressLine progress(name, scene_.solve.tolerance);
+  SolveOptions options = scene_.solve;
+  if (!quiet_) {
+    options.onProgress = [&](const ConvergenceSample& sample) { progress.update(sample); };
+  }
+  options.onCheckpoint = [&](SolveCheckpoint checkpoint) { keeper_.keep(std::move(checkpoint)); };
+  options.resumeFrom = keeper_.latest();
+  auto result = solveByMethod(stage, options);
+  stage.equilibrium = result ? std::move(*result) : lastKnown(stage.grid);
+  keeper_.endSolve(stage.equilibrium);
+}
+
+/// On request: is the equilibrium a minimum?
+void Stages::judge(Stage& stage, Motions motions) {
+  if (!scene_.smallestEigenvalue || interruptRequested()) {
+    return;
+  }
+  const auto judgeBy = [&](const Preconditioner& preconditioner) {
+    stage.equilibrium.smallestEigenvalue = computeSmallestEigenvalue(
+        stage.grid, stage.equilibrium.positions, preconditioner, {.motions = motions});
+  };
+  if (scene_.method == Method::reference) {
+    judgeBy(constantMatrixPreconditioner(stage.grid));
+  } else {
+    hands_.attempt([&] { judgeBy(vCyclePreconditioner(*hands_.device, *stage.onDevice)); });
+  }
+}
+
+Stage Stages::runInPlane(const GridDesign& design) {
+  Stage stage = prepare(inPlaneGrid(design, scene_.weights, scene_.scaling));
+  hands_.draw([&](Pictures& pictures) {
+    pictures.drawFlat("initial", "initial: one layer of square cells", *stage.onDevice,
+                      stage.grid.positions);
+  });
+  if (keeper_.inPlane()) {
+    stage.equilibrium = *keeper_.inPlane();
+  } else {
+    solve(stage, "in plane");
+    keeper_.beginFullStage(stage.equilibrium);
+  }
+  showOnDevice(stage);
+  judge(stage, Motions::inPlane);
+  hands_.draw([&](Pictures& pictures) {
+    pictures.drawFlat("in_plane", "in plane: as printed", *stage.onDevice,
+                      stage.equilibrium.positions);
+  });
+  return stage;
+}
+
+Stage Stages::runFull(const GridDesign& design, const Eigen::Matrix3Xd& printedLayer) {
+  Stage stage = prepare(stackedGrid(design, scene_.weights, scene_.scaling, printedLayer));
+  hands_.draw([&](Pictures& pictures) {
+    pictures.drawFlat("stacked", "stacked: all layers, before the morph", *stage.onDevice,
+                      stage.grid.positions);
+  });
+  solve(stage, "full");
+  showOnDevice(stage);
+  judge(stage, Motions::inSpace);
+  return stage;
+}
+
+}  // namespace morphgrid

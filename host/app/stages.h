@@ -1,0 +1,41 @@
+#pragma once
+#include "app/checkpoint_keeper.h"
+#include "app/stagehands.h"
+#include "solve/device_grid.h"
+
+namespace morphgrid {
+
+/// A grid on its way to equilibrium, with its copy on the device.
+struct Stage {
+  StrutGrid grid;
+  std::unique_ptr<DeviceGrid> onDevice;  ///< None in runs on the CPU, or when it did not fit.
+  Equilibrium equilibrium;
+};
+
+/// The two stages of a run. A device that fails ends a solve where it stood.
+class Stages {
+ public:
+  /// Keeps references.
+  Stages(const Scene& scene, Stagehands& hands, CheckpointKeeper& keeper, bool quiet)
+      : scene_(scene), hands_(hands), keeper_(keeper), quiet_(quiet) {}
+
+  /// One layer of square cells morphs in its plane to what is printed.
+  Stage runInPlane(const GridDesign& design);
+  /// The printed layer, stacked, morphs in space.
+  Stage runFull(const GridDesign& design, const Eigen::Matrix3Xd& printedLayer);
+
+ private:
+  Stage prepare(StrutGrid grid);
+  void solve(Stage& stage, const char* name);
+  std::optional<Equilibrium> solveByMethod(const Stage& stage, const SolveOptions& options);
+  void showOnDevice(const Stage& stage);
+  void judge(Stage& stage, Motions motions);
+  Equilibrium lastKnown(const StrutGrid& grid) const;
+
+  const Scene& scene_;
+  Stagehands& hands_;
+  CheckpointKeeper& keeper_;
+  bool quiet_;
+};
+
+}  // namespace morphgrid

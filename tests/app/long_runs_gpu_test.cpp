@@ -1,0 +1,151 @@
+// Long runs: killed, interrupted, on a device that fails.
+#include <gmock/gmock.h>
+
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "app/checkpoint.h"
+#include "tests/app/subprocess.h"
+#include "tests/support/folders.h"
+#include "tests/support/temporary_folder.h"
+
+namespace morphgrid {
+namespace {
+
+using testing::HasSubstr;
+
+class LongRun : public testing::Test {
+ protected:
+  /// Without pictures, into the folder `name`.
+  std::vector<std::string> run(const std::string& name,
+                               const std::vector<std::string>& more = {}) const {
+    std::vector<std::string> arguments{"run",   sourceFolder() / "scenes/egg_chair.toml",
+                                       "--out", folder_ / name,
+                                       "--set", "grid.nodes_long=16",
+                                       "--set", "output.pictures=false"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return arguments;
+  }
+  nlohmann::json report(const std::string& name) const {
+    std::ifstream stream(folder_ / name / "report.json");
+    return nlohmann::json::parse(stream);
+  }
+  std::string checkpoint() const { return folder_ / "run.checkpoint"; }
+  bool isInFullStage() const {
+    return std::filesystem::exists(checkpoint()) && readCheckpoint(checkpoint()).inPlane;
+  }
+
+  TemporaryFolder folder_;
+};
+
+struct Killed {
+  const char* method;
+  bool inFullStage;
+};
+
+class KilledRun : public LongRun, public testing::WithParamInterface<Killed> {};
+
+TEST_P(KilledRun, GoesOnToTheSameAnswer) {
+  const std::string method = std::string("solver.method=") + GetParam().method;
+  ASSERT_EQ(runMorphgrid(run("whole", {"--quiet", "--set", method})).exitCode, 0);
+  // Tolerances may change on the way; these keep it busy until it is killed.
+  const bool full = GetParam().inFullStage;
+  const ProcessResult killed = runMorphgridUntil(
+      [&] { return full ? isInFullStage() : std::filesystem::exists(checkpoint()); },
+      run("killed",
+          {"--quiet", "--checkpoint", checkpoint(), "--checkpoint-minutes", "1e-9", "--set", method,
+           "--set", full ? "solver.tolerance=1e-9" : "solver.tolerance=1e-15", "--set",
+           full ? "solver.energy_tolerance=1e-9" : "solver.energy_tolerance=0"}));
+  ASSERT_EQ(killed.exitCode, 128 + 9) << killed.output;
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "killed/report.json"));
+
+  const ProcessResult resumed = runMorphgrid(
+      run("resumed", {"--quiet", "--set", method, "--resume", checkpoint(), "--validate"}));
+  EXPECT_EQ(resumed.exitCode, 0) << resumed.output;
+  const auto whole = report("whole");
+  const auto other = report("resumed");
+  EXPECT_NEAR(other["full"]["energy"].get<double>() / whole["full"]["energy"].get<double>(), 1,
+              1e-7);
+  EXPECT_NEAR(other["distance_to_target"]["rms_percent"].get<double>(),
+              whole["distance_to_target"]["rms_percent"].get<double>(), 1e-3);
+}
+
+INSTANTIATE_TEST_SUITE_P(Methods, KilledRun,
+                         testing::Values(Killed{"multigrid", false}, Killed{"multigrid", true},
+                                         Killed{"jacobi", true}, Killed{"reference", true}),
+                         [](const auto& test) {
+                           return std::string(test.param.method) +
+                                  (test.param.inFullStage ? "Full" : "InPlane");
+                         });
+
+TEST_F(LongRun, InterruptedLeavesACheckpoint) {
+  const ProcessResult interrupted =
+      runMorphgrid(run("interrupted",
+                       {"--quiet", "--checkpoint", checkpoint(), "--set", "solver.tolerance=1e-15",
+                        "--set", "solver.energy_tolerance=0", "--set", "grid.nodes_long=60"}),
+                   {}, 1);
+  ASSERT_EQ(interrupted.exitCode, 130) << interrupted.output;
+  EXPECT_NO_THROW(readCheckpoint(checkpoint()));
+}
+
+TEST_F(LongRun, BadCheckpointsAreToldBeforeTheSolve) {
+  const auto other = folder_.write("other.checkpoint", "something else");
+  for (const char* option : {"--checkpoint", "--resume"}) {
+    const ProcessResult bad = runMorphgrid(run("bad", {option, other}));
+    EXPECT_EQ(bad.exitCode, 2) << option;
+    EXPECT_THAT(bad.output, HasSubstr("other.checkpoint: is")) << option;
+    EXPECT_FALSE(std::filesystem::exists(folder_ / "bad")) << option;
+  }
+  EXPECT_EQ(runMorphgrid(run("bad", {"--checkpoint-minutes", "1"})).exitCode, 2);
+  EXPECT_EQ(runMorphgrid(run("bad", {"--checkpoint", checkpoint(), "--checkpoint-minutes", "0"}))
+                .exitCode,
+            2);
+}
+
+std::vector<std::string> failingDevice(const std::string& variable, int value) {
+  return {"VK_INSTANCE_LAYERS=VK_LAYER_MORPHGRID_failing_device",
+          "VK_LAYER_PATH=" + (binaryFolder() / "layers").string(),
+          "MORPHGRID_FAILING_DEVICE_" + variable + "=" + std::to_string(value)};
+}
+
+class LostDevice : public LongRun, public testing::WithParamInterface<int> {};
+
+TEST_P(LostDevice, LeavesWhatWasDone) {
+  const auto environment = failingDevice("SUBMITS", GetParam());
+  const ProcessResult lost = runMorphgrid(run("lost", {"--checkpoint", checkpoint()}), environment);
+  EXPECT_EQ(lost.exitCode, 4) << lost.output;
+  EXPECT_THAT(lost.output, HasSubstr("ErrorDeviceLost"));
+  EXPECT_THAT(lost.output, HasSubstr("what was done before is in"));
+  for (const char* file : {"report.json", "convergence.csv", "warped.glb", "surface.obj"}) {
+    EXPECT_TRUE(std::filesystem::exists(folder_ / "lost" / file)) << file;
+  }
+  const auto json = report("lost");
+  EXPECT_EQ(json["full"]["reason"], "device failure");
+  EXPECT_EQ(json["full"]["converged"], false);
+  EXPECT_THAT(json["device_failure"].get<std::string>(), HasSubstr("ErrorDeviceLost"));
+  if (std::filesystem::exists(checkpoint())) {
+    EXPECT_THAT(lost.output, HasSubstr("--resume"));
+    EXPECT_EQ(runMorphgrid(run("resumed", {"--quiet", "--resume", checkpoint()})).exitCode, 0);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Submissions, LostDevice, testing::Values(0, 3, 20, 50, 130),
+                         testing::PrintToStringParamName());
+
+TEST_F(LongRun, TheReferenceMethodLosesOnlyPictures) {
+  auto arguments = run("lost", {"--set", "output.pictures=true", "--set", "solver.method=reference",
+                                "--set", "output.width=320", "--set", "output.height=240"});
+  const ProcessResult lost = runMorphgrid(arguments, failingDevice("SUBMITS", 8));
+  EXPECT_EQ(lost.exitCode, 4) << lost.output;
+  EXPECT_EQ(report("lost")["full"]["converged"], true);
+}
+
+TEST_F(LongRun, MemoryThatCannotBeHadIsADeviceFailure) {
+  const ProcessResult run = runMorphgrid(this->run("small"), failingDevice("BYTES", 1000));
+  EXPECT_EQ(run.exitCode, 4) << run.output;
+  EXPECT_THAT(run.output, testing::ContainsRegex("[0-9]+ bytes of device memory cannot be had"));
+}
+
+}  // namespace
+}  // namespace morphgrid
