@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "app/design_scene.h"
+#include "app/solve_room.h"
 #include "app/stages.h"
 #include "core/atomic_file.h"
 #include "core/error.h"
@@ -21,14 +22,13 @@ namespace {
 
 constexpr int kSurfaceRefinement = 4;  // Cells per grid cell, along u and v, of the surface files.
 
-std::filesystem::path createFolder(const std::filesystem::path& folder) {
+void createFolder(const std::filesystem::path& folder) {
   std::error_code error;
   std::filesystem::create_directories(folder, error);
   if (error) {
     throw InputError(
         fmt::format("--out {}: the folder cannot be made: {}", folder.string(), error.message()));
   }
-  return folder;
 }
 
 void noteSaddle(RunRecord& record, const char* stage, const Equilibrium& equilibrium) {
@@ -109,18 +109,39 @@ CheckpointKeeper checkpointKeeper(const Scene& scene, const GridDesign& design,
   return keeper;
 }
 
+void requireRoom(const Scene& scene, const GridShape& shape, const Stagehands& hands) {
+  if (hands.device) {
+    if (const auto reason = whyTooLarge(shape, scene.method, roomOn(*hands.device))) {
+      throw InputError(fmt::format("{}: {}", scene.file.string(), *reason));
+    }
+  }
+}
+
 }  // namespace
 
-RunRecord checkScene(const Scene& scene) { return recordOf(scene, designScene(scene)); }
+RunRecord checkScene(const Scene& scene) {
+  RunRecord record = recordOf(scene, designScene(scene));
+  try {
+    const auto reason = whyTooLarge(record.grid.shape, scene.method, roomOn(Device()));
+    if (reason) {
+      record.notices.push_back(*reason);
+    }
+  } catch (const DeviceError&) {
+    // Checking a scene needs no device; a run will say what is wrong with it.
+  }
+  return record;
+}
 
 RunRecord runScene(const Scene& scene, const RunOptions& options) {
   const auto start = std::chrono::steady_clock::now();
   const SceneDesign designed = designScene(scene);
   CheckpointKeeper keeper = checkpointKeeper(scene, designed.design, options);
-  const std::filesystem::path folder = createFolder(options.outputFolder);
   RunRecord record = recordOf(scene, designed);
 
+  const std::filesystem::path& folder = options.outputFolder;
   Stagehands hands = summonStagehands(scene, options, folder);
+  requireRoom(scene, record.grid.shape, hands);
+  createFolder(folder);
   if (designed.sampling) {
     hands.draw([&](Pictures& pictures) {
       pictures.drawSampling(scene.mesh->mesh, designed.sampling->hits);

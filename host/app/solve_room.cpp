@@ -1,0 +1,106 @@
+#include "app/solve_room.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "shared/lbfgs_types.h"
+#include "shared/solver_types.h"
+#include "solve/solve_memory.h"
+
+namespace morphgrid {
+namespace {
+
+SolveMemory memoryFor(const GridShape& shape, Method method) {
+  return method == Method::jacobi ? jacobiMemory(shape) : multigridMemory(shape);
+}
+
+double vertexCount(const GridShape& shape) {
+  return double(shape.verticesU) * shape.verticesV * shape.layers;
+}
+
+std::string gigabytes(std::uint64_t bytes) { return fmt::format("{:.3g} GB", bytes / 1e9); }
+
+/// "" when nothing is.
+std::string whatIsLacking(const GridShape& shape, Method method, const SolveRoom& room) {
+  const SolveMemory needed = memoryFor(shape, method);
+  const AvailableMemory& free = room.memory;
+  if (free.shared && needed.device + needed.host > free.host) {
+    return fmt::format("{} of memory, {} are free", gigabytes(needed.device + needed.host),
+                       gigabytes(free.host));
+  }
+  if (needed.device > free.device) {
+    return fmt::format("{} of memory on {}, {} are free there", gigabytes(needed.device),
+                       room.deviceName, gigabytes(free.device));
+  }
+  if (needed.host > free.host) {
+    return fmt::format("{} of memory, {} are free", gigabytes(needed.host), gigabytes(free.host));
+  }
+  if (needed.largestBuffer > room.largestBuffer) {
+    return fmt::format("a buffer of {}, {} has them of {} at most", gigabytes(needed.largestBuffer),
+                       room.deviceName, gigabytes(room.largestBuffer));
+  }
+  if (vertexCount(shape) > double(room.mostVertices)) {
+    return fmt::format("more than the {} invocations that {} can be asked for at once",
+                       room.mostVertices, room.deviceName);
+  }
+  return "";
+}
+
+/// The same proportions with so many nodes along the longer edge.
+GridShape scaled(const GridShape& shape, int nodesLong) {
+  const int nodesU = shape.verticesU - 1;
+  const int nodesV = shape.verticesV - 1;
+  const double factor = double(nodesLong) / std::max(nodesU, nodesV);
+  const auto vertices = [&](int nodes) {
+    return std::max(1, static_cast<int>(std::lround(factor * nodes))) + 1;
+  };
+  return {vertices(nodesU), vertices(nodesV), shape.layers};
+}
+
+GridShape largestThatFits(const GridShape& shape, Method method, const SolveRoom& room) {
+  int fits = 1;
+  int tooMany = std::max(shape.verticesU, shape.verticesV) - 1;
+  while (tooMany - fits > 1) {
+    const int middle = fits + (tooMany - fits) / 2;
+    (whatIsLacking(scaled(shape, middle), method, room).empty() ? fits : tooMany) = middle;
+  }
+  return scaled(shape, fits);
+}
+
+}  // namespace
+
+SolveRoom roomOn(const Device& device) {
+  const vk::PhysicalDeviceLimits& limits = device.limits();
+  const auto maintenance =
+      device.physical()
+          .getProperties2<vk::PhysicalDeviceProperties2, vk::PhysicalDeviceMaintenance3Properties>()
+          .get<vk::PhysicalDeviceMaintenance3Properties>();
+  const std::uint64_t largestBuffer =
+      std::min({std::uint64_t{limits.maxStorageBufferRange},
+                std::uint64_t{limits.maxTexelBufferElements} * sizeof(vec4),
+                std::uint64_t{maintenance.maxMemoryAllocationSize}});
+  return {device.name(), availableMemory(device), largestBuffer,
+          std::uint64_t{limits.maxComputeWorkGroupCount[0]} * kVectorInvocations};
+}
+
+std::optional<std::string> whyTooLarge(const GridShape& shape, Method method,
+                                       const SolveRoom& room) {
+  if (method == Method::reference) {
+    return std::nullopt;
+  }
+  const std::string lacking = whatIsLacking(shape, method, room);
+  if (lacking.empty()) {
+    return std::nullopt;
+  }
+  const GridShape largest = largestThatFits(shape, method, room);
+  return fmt::format(
+      "a grid of {} x {} nodes in {} layers ({:.0f} vertices) needs {}; {} x {} nodes ({:.0f} "
+      "vertices) would fit: set {} along the longer edge",
+      shape.verticesU - 1, shape.verticesV - 1, shape.layers, vertexCount(shape), lacking,
+      largest.verticesU - 1, largest.verticesV - 1, vertexCount(largest),
+      std::max(largest.verticesU, largest.verticesV) - 1);
+}
+
+}  // namespace morphgrid

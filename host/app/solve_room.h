@@ -1,0 +1,25 @@
+#pragma once
+#include <optional>
+#include <string>
+
+#include "app/scene.h"
+#include "gpu/available_memory.h"
+
+namespace morphgrid {
+
+/// What a device leaves a solve to work with.
+struct SolveRoom {
+  std::string deviceName;
+  AvailableMemory memory;
+  std::uint64_t largestBuffer;  ///< Bytes that shaders can reach of one.
+  std::uint64_t mostVertices;   ///< That one dispatch can visit.
+};
+
+SolveRoom roomOn(const Device& device);
+
+/// Why a grid cannot be solved there, and the largest of its proportions that can; nothing when it
+/// can, or for Method::reference, which needs no device.
+std::optional<std::string> whyTooLarge(const GridShape& shape, Method method,
+                                       const SolveRoom& room);
+
+}  // namespace morphgrid

@@ -1,0 +1,50 @@
+#include "solve/solve_memory.h"
+
+#include <algorithm>
+
+#include "shared/multigrid_types.h"
+#include "shared/solver_types.h"
+
+namespace morphgrid {
+namespace {
+
+constexpr std::uint64_t kTexel = sizeof(vec4);
+
+// Texels a vertex.
+constexpr std::uint64_t kGridTexels = 4;      // DeviceGrid
+constexpr std::uint64_t kStagingTexels = 1;   // Of a download, on its way to the host.
+constexpr std::uint64_t kDescentTexels = 16;  // LbfgsVectors, VCycle, GridHessian
+
+// Texels a point of a coarse level: the matrix and its inverse diagonal, centre, three motions and
+// levers.
+constexpr std::uint64_t kBlockTexels = std::uint64_t{kBlockParts} * kPartTexels;
+constexpr std::uint64_t kPointTexels = (kStencilSize + 1) * kBlockTexels + 1 + 6 + 1;
+
+// Grids, energy and checkpoint, as measured. Files to export take more, after the solve.
+constexpr std::uint64_t kHostBytesPerVertex = 1000;
+
+std::uint64_t vertices(const GridShape& shape) {
+  return std::uint64_t(shape.verticesU) * shape.verticesV * shape.layers;
+}
+
+/// Of all coarse levels: each has a quarter of the points of the one above.
+std::uint64_t points(const GridShape& shape) {
+  return std::uint64_t(shape.verticesU) * shape.verticesV * 4 / 3;
+}
+
+}  // namespace
+
+SolveMemory multigridMemory(const GridShape& shape) {
+  const std::uint64_t texels = (kGridTexels + kStagingTexels + kDescentTexels) * vertices(shape) +
+                               kPointTexels * points(shape);
+  const std::uint64_t columns = std::uint64_t(shape.verticesU) * shape.verticesV;
+  return {kTexel * texels, kHostBytesPerVertex * vertices(shape),
+          kTexel * std::max(vertices(shape), kPartTexels * columns)};
+}
+
+SolveMemory jacobiMemory(const GridShape& shape) {
+  return {kTexel * (kGridTexels + kStagingTexels) * vertices(shape),
+          kHostBytesPerVertex * vertices(shape), kTexel * vertices(shape)};
+}
+
+}  // namespace morphgrid

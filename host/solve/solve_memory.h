@@ -1,0 +1,21 @@
+#pragma once
+#include <cstdint>
+
+#include "grid/strut_grid.h"
+
+namespace morphgrid {
+
+/// What solving a grid on the device takes; bytes, about.
+struct SolveMemory {
+  std::uint64_t device;
+  std::uint64_t host;
+  std::uint64_t largestBuffer;  ///< Of those on the device.
+};
+
+/// A stage of solveMultigrid(), with checkpoints.
+SolveMemory multigridMemory(const GridShape& shape);
+
+/// A stage of JacobiSolver, with checkpoints.
+SolveMemory jacobiMemory(const GridShape& shape);
+
+}  // namespace morphgrid

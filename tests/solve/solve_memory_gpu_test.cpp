@@ -1,0 +1,53 @@
+#include "solve/solve_memory.h"
+
+#include "core/error.h"
+#include "solve/jacobi_solver.h"
+#include "solve/preconditioned_descent.h"
+#include "tests/solve/sample_grids.h"
+#include "tests/support/validated_device.h"
+
+namespace morphgrid {
+namespace {
+
+class SolveMemoryOf : public DeviceTest, public testing::WithParamInterface<GridShape> {
+ protected:
+  double peak() const { return static_cast<double>(device_.memoryUse().peak()); }
+};
+
+TEST_P(SolveMemoryOf, MultigridIsWhatItTakes) {
+  const StrutGrid grid = bentGrid(GetParam(), 5);
+  DeviceGrid deviceGrid(device_, grid);
+  PreconditionedDescent descent(device_, deviceGrid, Precision::precise);
+  descent.positions();
+  EXPECT_NEAR(peak() / multigridMemory(grid.shape).device, 1, 0.15);
+}
+
+TEST_P(SolveMemoryOf, JacobiIsWhatItTakes) {
+  const StrutGrid grid = bentGrid(GetParam(), 5);
+  DeviceGrid deviceGrid(device_, grid);
+  const JacobiSolver solver(device_, grid, deviceGrid);
+  deviceGrid.downloadPositions();
+  EXPECT_NEAR(peak() / jacobiMemory(grid.shape).device, 1, 0.15);
+}
+
+TEST_P(SolveMemoryOf, LargestBuffersAreTheLimit) {
+  const StrutGrid grid = bentGrid(GetParam(), 5);
+  const auto bytes = static_cast<std::uint32_t>(multigridMemory(grid.shape).largestBuffer);
+  const Device enough({.largestStorageBuffer = bytes});
+  DeviceGrid deviceGrid(enough, grid);
+  EXPECT_NO_THROW(PreconditionedDescent(enough, deviceGrid, Precision::precise));
+  const Device tooSmall({.largestStorageBuffer = bytes - 1});
+  EXPECT_THROW(
+      {
+        DeviceGrid onSmall(tooSmall, grid);
+        PreconditionedDescent(tooSmall, onSmall, Precision::precise);
+      },
+      DeviceError);
+}
+
+INSTANTIATE_TEST_SUITE_P(Shapes, SolveMemoryOf,
+                         testing::Values(GridShape{90, 81, 1}, GridShape{75, 61, 3},
+                                         GridShape{50, 51, 5}));
+
+}  // namespace
+}  // namespace morphgrid
