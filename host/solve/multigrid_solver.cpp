@@ -170,17 +170,18 @@ Eigen::Matrix3Xd solveCoarse(const Device& device, const StrutGrid& grid, Progre
 Eigen::Matrix3Xd solveNested(const Device& device, const std::vector<NestedGrid>& grids,
                              const std::optional<SolveCheckpoint>& from, Progress& progress) {
   std::size_t n = from ? from->phase : 0;
-  Eigen::Matrix3Xd positions = from ? from->positions : grids.front().grid.positions;
+  Eigen::Matrix3Xd positions =
+      from ? from->positions : withImperfection(grids.front().grid, grids.front().grid.positions);
   for (; n + 1 < grids.size(); ++n) {
     if (!progress.reasonToStop()) {
       StrutGrid coarse = grids[n].grid;
-      coarse.positions = withImperfection(coarse, std::move(positions));
+      coarse.positions = std::move(positions);
       progress.beginGrid(n);
       positions = solveCoarse(device, coarse, progress);
     }
-    positions = prolong(grids[n], positions, grids[n + 1]);
+    positions = withImperfection(grids[n + 1].grid, prolong(grids[n], positions, grids[n + 1]));
   }
-  return withImperfection(grids.back().grid, std::move(positions));
+  return positions;
 }
 
 /// Runs until there is a reason to stop.
