@@ -114,16 +114,22 @@ std::string describeMemory(const Comparison& comparison) {
                          : fmt::format(" (at most {:.0f}: MISSED)", kMostBytesPerVertex));
 }
 
-/// Cost of the whole solve by multigrid, to its own stop, in ns per vertex.
+/// Nanoseconds per vertex of a solve by multigrid, to its own stop.
 struct CostPerVertex {
-  double solve;
-  double cycle;
+  double wall;
+  double cpu;
+  double cycles;
 };
 
 CostPerVertex costPerVertex(const Comparison& comparison) {
   const MethodRuns& multigrid = *comparison.find("multigrid");
-  const double solve = 1e9 * multigrid.wallSeconds() / comparison.shape.vertexCount();
-  return {solve, solve / static_cast<double>(multigrid.runs.front().iterations())};
+  const double toNanoseconds = 1e9 / comparison.shape.vertexCount();
+  return {toNanoseconds * multigrid.wallSeconds(), toNanoseconds * multigrid.cpuSeconds(),
+          static_cast<double>(multigrid.runs.front().iterations())};
+}
+
+std::string describeGrowth(const char* what, double small, double large) {
+  return fmt::format("  {:<26} {:>10.0f} {:>10.0f} {:>8.2f}\n", what, small, large, large / small);
 }
 
 nlohmann::json toJson(const MethodRuns& one, double leastEnergy) {
@@ -183,12 +189,14 @@ std::string describeGrowth(const std::vector<Comparison>& comparisons) {
   if (small == large) {
     return {};
   }
-  const CostPerVertex of[2] = {costPerVertex(*small), costPerVertex(*large)};
-  return fmt::format(
-      "multigrid, whole full stage: {:.0f} ns a vertex on {}, {:.0f} on {}: {:.2f} times\n"
-      "           one cycle of it: {:.0f} ns a vertex, {:.0f}: {:.2f} times (must be {})\n",
-      of[0].solve, small->name, of[1].solve, large->name, of[1].solve / of[0].solve, of[0].cycle,
-      of[1].cycle, of[1].cycle / of[0].cycle, kLargestGrowth);
+  const CostPerVertex few = costPerVertex(*small);
+  const CostPerVertex many = costPerVertex(*large);
+  return fmt::format("multigrid, ns per vertex: {:>15} {:>10}    ratio (must be {})\n", small->name,
+                     large->name, kLargestGrowth) +
+         describeGrowth("a V-cycle, wall time", few.wall / few.cycles, many.wall / many.cycles) +
+         describeGrowth("a V-cycle, CPU time", few.cpu / few.cycles, many.cpu / many.cycles) +
+         describeGrowth("the full stage, wall time", few.wall, many.wall) +
+         describeGrowth("the full stage, CPU time", few.cpu, many.cpu);
 }
 
 nlohmann::json toJson(const Comparison& comparison) {
