@@ -34,12 +34,15 @@ std::string describeInPlane(const std::vector<MethodRuns>& methods) {
   return text;
 }
 
-std::string describeBounds(const char* what, double value, const Bounds& bounds) {
+/// atMost: the value may be less than it seems.
+std::string describeBounds(const char* what, double value, const Bounds& bounds,
+                           bool atMost = false) {
   const char* verdict = value <= bounds.aim    ? "as aimed at"
                         : value <= bounds.must ? "as it must be"
+                        : atMost               ? "not known, --peer-seconds was too short"
                                                : "MISSED";
-  return fmt::format("  {}: {:.3g} (must be {:.3g}, aim {:.3g}): {}\n", what, value, bounds.must,
-                     bounds.aim, verdict);
+  return fmt::format("  {}: {}{:.3g} (must be {:.3g}, aim {:.3g}): {}\n", what,
+                     atMost ? "at most " : "", value, bounds.must, bounds.aim, verdict);
 }
 
 /// The time to the energy, or at least how long it was tried.
@@ -87,7 +90,8 @@ std::string describeTargets(const Comparison& comparison) {
   }
   const auto share = shareOf(comparison, "reference");
   if (target.shareOfReference && share) {
-    text += describeBounds("share of reference's time", *share, *target.shareOfReference);
+    const bool cutShort = !comparison.find("reference")->arrival(comparison.leastEnergy());
+    text += describeBounds("share of reference's time", *share, *target.shareOfReference, cutShort);
   }
   if (target.cycles) {
     text += describeBounds("V-cycles", static_cast<double>(arrival->iterations), *target.cycles);
@@ -107,11 +111,11 @@ std::string describeMemory(const Comparison& comparison) {
   if (bytes == 0) {
     return {};
   }
-  return fmt::format("  device memory of multigrid: {:.0f} bytes a vertex{}\n", bytes,
-                     comparison.shape.layers != 3 ? ""
-                     : bytes <= kMostBytesPerVertex
-                         ? fmt::format(" (at most {:.0f})", kMostBytesPerVertex)
-                         : fmt::format(" (at most {:.0f}: MISSED)", kMostBytesPerVertex));
+  const bool bounded =
+      comparison.shape.layers == 3 && comparison.shape.vertexCount() >= kFewestBoundedVertices;
+  return fmt::format("  device memory of multigrid: {:.0f} bytes a vertex{}{}\n", bytes,
+                     bounded ? fmt::format(" (at most {:.0f})", kMostBytesPerVertex) : "",
+                     bounded && bytes > kMostBytesPerVertex ? ": MISSED" : "");
 }
 
 /// Nanoseconds per vertex of a solve by multigrid, to its own stop.
