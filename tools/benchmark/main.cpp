@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "benchmark/machine_benchmark.h"
+#include "benchmark/profile_benchmark.h"
 #include "benchmark/ray_benchmark.h"
 #include "benchmark/robustness.h"
 #include "benchmark/solve_benchmark.h"
@@ -30,6 +32,8 @@ int runBenchmark(std::vector<std::string> arguments) {
   CLI::App app("Measures how fast morphgrid is.", "tools/bench");
   app.require_subcommand(0, 1);
   addSolveBenchmark(app);
+  addProfileBenchmark(app);
+  addMachineBenchmark(app);
   addSweepBenchmark(app);
   addRayBenchmark(app);
   addRobustnessTable(app);

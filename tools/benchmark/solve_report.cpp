@@ -34,12 +34,15 @@ std::string describeInPlane(const std::vector<MethodRuns>& methods) {
   return text;
 }
 
-std::string describeBounds(const char* what, double value, const Bounds& bounds) {
+/// atMost: the value may be less than it seems.
+std::string describeBounds(const char* what, double value, const Bounds& bounds,
+                           bool atMost = false) {
   const char* verdict = value <= bounds.aim    ? "as aimed at"
                         : value <= bounds.must ? "as it must be"
+                        : atMost               ? "not known, --peer-seconds was too short"
                                                : "MISSED";
-  return fmt::format("  {}: {:.3g} (must be {:.3g}, aim {:.3g}): {}\n", what, value, bounds.must,
-                     bounds.aim, verdict);
+  return fmt::format("  {}: {}{:.3g} (must be {:.3g}, aim {:.3g}): {}\n", what,
+                     atMost ? "at most " : "", value, bounds.must, bounds.aim, verdict);
 }
 
 /// The time to the energy, or at least how long it was tried.
@@ -87,7 +90,8 @@ std::string describeTargets(const Comparison& comparison) {
   }
   const auto share = shareOf(comparison, "reference");
   if (target.shareOfReference && share) {
-    text += describeBounds("share of reference's time", *share, *target.shareOfReference);
+    const bool cutShort = !comparison.find("reference")->arrival(comparison.leastEnergy());
+    text += describeBounds("share of reference's time", *share, *target.shareOfReference, cutShort);
   }
   if (target.cycles) {
     text += describeBounds("V-cycles", static_cast<double>(arrival->iterations), *target.cycles);
@@ -107,23 +111,29 @@ std::string describeMemory(const Comparison& comparison) {
   if (bytes == 0) {
     return {};
   }
-  return fmt::format("  device memory of multigrid: {:.0f} bytes a vertex{}\n", bytes,
-                     comparison.shape.layers != 3 ? ""
-                     : bytes <= kMostBytesPerVertex
-                         ? fmt::format(" (at most {:.0f})", kMostBytesPerVertex)
-                         : fmt::format(" (at most {:.0f}: MISSED)", kMostBytesPerVertex));
+  const bool bounded =
+      comparison.shape.layers == 3 && comparison.shape.vertexCount() >= kFewestBoundedVertices;
+  return fmt::format("  device memory of multigrid: {:.0f} bytes a vertex{}{}\n", bytes,
+                     bounded ? fmt::format(" (at most {:.0f})", kMostBytesPerVertex) : "",
+                     bounded && bytes > kMostBytesPerVertex ? ": MISSED" : "");
 }
 
-/// Cost of the whole solve by multigrid, to its own stop, in ns per vertex.
+/// Nanoseconds per vertex of a solve by multigrid, to its own stop.
 struct CostPerVertex {
-  double solve;
-  double cycle;
+  double wall;
+  double cpu;
+  double cycles;
 };
 
 CostPerVertex costPerVertex(const Comparison& comparison) {
   const MethodRuns& multigrid = *comparison.find("multigrid");
-  const double solve = 1e9 * multigrid.wallSeconds() / comparison.shape.vertexCount();
-  return {solve, solve / static_cast<double>(multigrid.runs.front().iterations())};
+  const double toNanoseconds = 1e9 / comparison.shape.vertexCount();
+  return {toNanoseconds * multigrid.wallSeconds(), toNanoseconds * multigrid.cpuSeconds(),
+          static_cast<double>(multigrid.runs.front().iterations())};
+}
+
+std::string describeGrowth(const char* what, double small, double large) {
+  return fmt::format("  {:<26} {:>10.0f} {:>10.0f} {:>8.2f}\n", what, small, large, large / small);
 }
 
 nlohmann::json toJson(const MethodRuns& one, double leastEnergy) {
@@ -183,12 +193,14 @@ std::string describeGrowth(const std::vector<Comparison>& comparisons) {
   if (small == large) {
     return {};
   }
-  const CostPerVertex of[2] = {costPerVertex(*small), costPerVertex(*large)};
-  return fmt::format(
-      "multigrid, whole full stage: {:.0f} ns a vertex on {}, {:.0f} on {}: {:.2f} times\n"
-      "           one cycle of it: {:.0f} ns a vertex, {:.0f}: {:.2f} times (must be {})\n",
-      of[0].solve, small->name, of[1].solve, large->name, of[1].solve / of[0].solve, of[0].cycle,
-      of[1].cycle, of[1].cycle / of[0].cycle, kLargestGrowth);
+  const CostPerVertex few = costPerVertex(*small);
+  const CostPerVertex many = costPerVertex(*large);
+  return fmt::format("multigrid, ns per vertex: {:>15} {:>10}    ratio (must be {})\n", small->name,
+                     large->name, kLargestGrowth) +
+         describeGrowth("a V-cycle, wall time", few.wall / few.cycles, many.wall / many.cycles) +
+         describeGrowth("a V-cycle, CPU time", few.cpu / few.cycles, many.cpu / many.cycles) +
+         describeGrowth("the full stage, wall time", few.wall, many.wall) +
+         describeGrowth("the full stage, CPU time", few.cpu, many.cpu);
 }
 
 nlohmann::json toJson(const Comparison& comparison) {

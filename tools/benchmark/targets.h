@@ -22,6 +22,8 @@ struct Target {
 Target targetOf(const std::string& problem);
 
 constexpr double kMostBytesPerVertex = 900;  ///< On the device, three layers.
+/// What does not grow with the grid weighs more on smaller ones.
+constexpr int kFewestBoundedVertices = 10000;
 /// Cost per vertex of a million vertices over that of 25,000.
 constexpr double kLargestGrowth = 1.3;
 
