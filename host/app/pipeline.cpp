@@ -182,6 +182,20 @@ Stage runFull(const Scene& scene, const RunOptions& options, const GridDesign& d
   return stage;
 }
 
+/// What of the design and of its result cannot be printed, or cannot be.
+void examine(const Stage& stage, const Scene& scene, RunRecord& record) {
+  const auto tell = [&](const std::vector<std::string>& advice) {
+    record.notices.insert(record.notices.end(), advice.begin(), advice.end());
+  };
+  if (record.full) {
+    record.shrink = computeShrink(stage.grid, scene.design.maxShrinkage);
+    tell(adviseOn(*record.shrink, scene.design.maxShrinkage));
+  }
+  record.feasibility = examineFeasibility(stage.grid.shape, stage.equilibrium.positions,
+                                          scene.design.strutThickness);
+  tell(adviseOn(*record.feasibility));
+}
+
 }  // namespace
 
 RunRecord checkScene(const Scene& scene) { return recordOf(scene, designScene(scene)); }
@@ -206,11 +220,11 @@ RunRecord runScene(const Scene& scene, const RunOptions& options) {
     stage = runFull(scene, options, designed.design, record.inPlane->positions, hands);
     record.full = stage.equilibrium;
     noteSaddle(record, "full", *record.full);
-    record.shrink = computeShrink(stage.grid, scene.design.maxShrinkage);
   }
 
   const Eigen::Matrix3Xd& positions = stage.equilibrium.positions;
   record.errors = computeStrutErrors(designed.design, stage.grid, positions);
+  examine(stage, scene, record);
   if (designed.targets) {
     record.distance = computeTargetDistance(middleLayer(stage.grid.shape, positions),
                                             *designed.targets, closestPointsOfTarget(scene));
@@ -218,6 +232,9 @@ RunRecord runScene(const Scene& scene, const RunOptions& options) {
   const Eigen::Isometry3d targetFromGrid = alignResult(stage, designed.targets);
   if (hands.pictures) {
     hands.pictures->drawResult(*stage.onDevice, positions, targetFromGrid, designed.targets);
+    if (record.full) {
+      hands.pictures->drawShrink(stage.grid, scene.design.maxShrinkage);
+    }
   }
   exportFiles(stage, targetFromGrid, scene.files, folder);
   if (hands.device) {
