@@ -181,7 +181,7 @@ TEST(ReportTable, SpeaksOfFeasibilityWhereSomethingIsWrong) {
   record.shrink->strutsGrowing = 5;
   record.feasibility->cells.inverted = 3;
   record.feasibility->selfIntersection.cells = 2;
-  EXPECT_THAT(toTable(record), HasSubstr("  struts that must grow                    5\n"
+  EXPECT_THAT(toTable(record), HasSubstr("  struts that must grow                  5\n"
                                          "  inverted cells                         3\n"
                                          "  self-intersecting cells                2\n"));
 }
