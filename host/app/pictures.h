@@ -4,6 +4,7 @@
 #include <string>
 
 #include "app/scene.h"
+#include "render/draw_shares.h"
 #include "render/picture.h"
 #include "render/strain_renderer.h"
 #include "surface/mesh_ray_caster.h"
@@ -24,8 +25,13 @@ class Pictures {
   void drawFlat(const std::string& name, const std::string& caption, const DeviceGrid& deviceGrid,
                 const Eigen::Matrix3Xd& positions);
 
-  /// The morphed struts (warped.png), the surface of the middle layer (surface.png) and the target
-  /// (target.png, where there is one), all seen by the same camera.
+  /// The lateral struts of the printed layers, drawn apart, by how much of what they can shrink
+  /// they use (shrink.png).
+  void drawShrink(const StrutGrid& stacked, double maxShrinkage) const;
+
+  /// The morphed struts (warped.png), the surface of the middle layer (surface.png) and, where
+  /// there is a target, that (target.png) and the distance to it (distance.png), all seen by the
+  /// same camera.
   void drawResult(const DeviceGrid& deviceGrid, const Eigen::Matrix3Xd& positions,
                   const Eigen::Isometry3d& targetFromGrid,
                   const std::optional<Eigen::Matrix3Xd>& targets);
@@ -33,7 +39,10 @@ class Pictures {
  private:
   Camera frame(const Eigen::Matrix3Xd& points, const View& view) const;
   void write(const std::string& name, const std::string& caption, const Image& scene,
-             bool legend) const;
+             std::optional<Legend> legend = std::nullopt) const;
+  void drawDistance(const PlacedGrid& result, const DeviceGrid& target,
+                    const Eigen::Matrix3Xd& alignedMiddle, const Eigen::Matrix3Xd& targets,
+                    const Camera& camera) const;
 
   const Device& device_;
   PictureOptions options_;

@@ -117,6 +117,20 @@ void requireRoom(const Scene& scene, const GridShape& shape, const Stagehands& h
   }
 }
 
+/// What of the design and of its result cannot be printed, or cannot be.
+void examine(const Stage& stage, const Scene& scene, RunRecord& record) {
+  const auto tell = [&](const std::vector<std::string>& advice) {
+    record.notices.insert(record.notices.end(), advice.begin(), advice.end());
+  };
+  if (record.full) {
+    record.shrink = computeShrink(stage.grid, scene.design.maxShrinkage);
+    tell(adviseOn(*record.shrink, scene.design.maxShrinkage));
+  }
+  record.feasibility = examineFeasibility(stage.grid.shape, stage.equilibrium.positions,
+                                          scene.design.strutThickness);
+  tell(adviseOn(*record.feasibility));
+}
+
 }  // namespace
 
 RunRecord checkScene(const Scene& scene) {
@@ -158,11 +172,11 @@ RunRecord runScene(const Scene& scene, const RunOptions& options) {
     stage = stages.runFull(designed.design, record.inPlane->positions);
     record.full = stage.equilibrium;
     noteSaddle(record, "full", *record.full);
-    record.shrink = computeShrink(stage.grid, scene.design.maxShrinkage);
   }
 
   const Eigen::Matrix3Xd& positions = stage.equilibrium.positions;
   record.errors = computeStrutErrors(designed.design, stage.grid, positions);
+  examine(stage, scene, record);
   if (designed.targets) {
     record.distance = computeTargetDistance(middleLayer(stage.grid.shape, positions),
                                             *designed.targets, closestPointsOfTarget(scene));
@@ -170,6 +184,9 @@ RunRecord runScene(const Scene& scene, const RunOptions& options) {
   const Eigen::Isometry3d targetFromGrid = alignResult(stage, designed.targets);
   hands.draw([&](Pictures& pictures) {
     pictures.drawResult(*stage.onDevice, positions, targetFromGrid, designed.targets);
+    if (record.full) {
+      pictures.drawShrink(stage.grid, scene.design.maxShrinkage);
+    }
   });
   exportFiles(stage, targetFromGrid, scene.files, folder);
   if (hands.device && !hands.failure) {

@@ -91,6 +91,7 @@ DesignRequest readDesign(TomlSection& grid) {
   design.maxShrinkage = grid.number("max_shrinkage", between(0, 1)).value_or(design.maxShrinkage);
   design.curvatureCutoff =
       grid.number("curvature_cutoff", aboveUpTo(0, 1)).value_or(design.curvatureCutoff);
+  design.strutThickness = grid.number("strut_thickness", above(0));
   return design;
 }
 

@@ -1,4 +1,5 @@
 #pragma once
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,6 +14,7 @@ struct DesignRequest {
   int nodesLong = 20;            ///< Nodes along the longer direction, >= 1
   double maxShrinkage = 0.4;     ///< Share of its printed length that a strut can lose, in (0, 1)
   double curvatureCutoff = 1.0;  ///< p, in (0, 1]: share of the |kappa| samples left uncapped
+  std::optional<double> strutThickness;  ///< As printed, in the scene's unit of length, > 0
 };
 
 /// The size of a grid, chosen from the survey (Eqs. 21 - 23).

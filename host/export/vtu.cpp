@@ -16,6 +16,7 @@
 
 #include "core/atomic_file.h"
 #include "core/error.h"
+#include "grid/shrink.h"
 #include "grid/strain.h"
 
 namespace morphgrid {
@@ -55,11 +56,14 @@ void addCellArray(vtkUnstructuredGrid& target, const char* name, const ValueOf& 
 void fill(vtkUnstructuredGrid& target, const StrutGrid& grid, const Eigen::Matrix3Xd& positions) {
   const std::vector<Strut> struts = listStruts(grid.shape);
   const std::vector<double> strutStrains = strains(grid, positions);
+  const StrutValues shrinks = computeShrinks(grid);
   setPoints(target, positions);
   setLines(target, struts);
   addCellArray<vtkDoubleArray>(target, "strain", [&](auto i) { return strutStrains[i]; });
   addCellArray<vtkDoubleArray>(target, "rest_length",
                                [&](auto i) { return valueAt(grid.rest, struts[i]); });
+  addCellArray<vtkDoubleArray>(target, "shrink",
+                               [&](auto i) { return valueAt(shrinks, struts[i]); });
   addCellArray<vtkIntArray>(target, "layer", [&](auto i) { return struts[i].layer; });
   addCellArray<vtkIntArray>(target, "direction",
                             [&](auto i) { return static_cast<int>(struts[i].direction); });

@@ -14,16 +14,20 @@ vk::raii::ShaderModule createModule(const Device& device, ShaderCode spirv) {
           vk::ShaderModuleCreateInfo({}, spirv.words.size_bytes(), spirv.words.data())};
 }
 
-vk::PipelineColorBlendAttachmentState opaque() {
+vk::PipelineColorBlendAttachmentState attachmentOf(Blending blending) {
   using Component = vk::ColorComponentFlagBits;
-  vk::PipelineColorBlendAttachmentState state;
+  using Factor = vk::BlendFactor;
+  // The image's own alpha stays what it was: where it is opaque it remains so.
+  vk::PipelineColorBlendAttachmentState state(blending == Blending::translucent, Factor::eSrcAlpha,
+                                              Factor::eOneMinusSrcAlpha, vk::BlendOp::eAdd,
+                                              Factor::eZero, Factor::eOne, vk::BlendOp::eAdd);
   state.colorWriteMask = Component::eR | Component::eG | Component::eB | Component::eA;
   return state;
 }
 
 vk::raii::Pipeline createPipeline(const Device& device, const ShaderPair& shaders,
                                   vk::PipelineLayout layout, vk::RenderPass renderPass,
-                                  vk::SampleCountFlagBits samples) {
+                                  vk::SampleCountFlagBits samples, Blending blending) {
   using Stage = vk::ShaderStageFlagBits;
   const vk::raii::ShaderModule vertex = createModule(device, shaders.vertex);
   const vk::raii::ShaderModule fragment = createModule(device, shaders.fragment);
@@ -36,8 +40,9 @@ vk::raii::Pipeline createPipeline(const Device& device, const ShaderPair& shader
   vk::PipelineRasterizationStateCreateInfo rasterization;
   rasterization.lineWidth = 1;  // Validation wants it even without lines.
   const vk::PipelineMultisampleStateCreateInfo multisample({}, samples);
-  const vk::PipelineDepthStencilStateCreateInfo depth({}, VK_TRUE, VK_TRUE, vk::CompareOp::eLess);
-  const auto attachment = opaque();
+  const vk::PipelineDepthStencilStateCreateInfo depth({}, VK_TRUE, blending == Blending::opaque,
+                                                      vk::CompareOp::eLess);
+  const auto attachment = attachmentOf(blending);
   const vk::PipelineColorBlendStateCreateInfo blend({}, VK_FALSE, vk::LogicOp::eCopy, attachment);
   const std::array dynamic = {vk::DynamicState::eViewport, vk::DynamicState::eScissor};
   const vk::PipelineDynamicStateCreateInfo dynamicState({}, dynamic);
@@ -52,13 +57,13 @@ vk::raii::Pipeline createPipeline(const Device& device, const ShaderPair& shader
 GraphicsPipeline::GraphicsPipeline(const Device& device, const ShaderPair& shaders,
                                    const std::vector<ResourceSlot>& slots,
                                    std::uint32_t pushConstantBytes, vk::RenderPass renderPass,
-                                   vk::SampleCountFlagBits samples) {
+                                   vk::SampleCountFlagBits samples, Blending blending) {
   try {
     setLayout_ = createSetLayout(device, slots, vk::ShaderStageFlagBits::eVertex);
     const vk::PushConstantRange push(kPushStages, 0, pushConstantBytes);
     layout_ = vk::raii::PipelineLayout(device.handle(),
                                        vk::PipelineLayoutCreateInfo({}, *setLayout_, push));
-    pipeline_ = createPipeline(device, shaders, *layout_, renderPass, samples);
+    pipeline_ = createPipeline(device, shaders, *layout_, renderPass, samples, blending);
   } catch (const vk::SystemError& error) {
     throw DeviceError(
         fmt::format("device {} cannot build a graphics pipeline: {}", device.name(), error.what()));

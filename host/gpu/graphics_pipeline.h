@@ -10,6 +10,11 @@ struct ShaderPair {
   ShaderCode fragment;
 };
 
+enum class Blending {
+  opaque,
+  translucent,  ///< By alpha, over what is there; hides nothing that is drawn later.
+};
+
 /// Draws triangles, front and back, with a depth test. There are no vertex attributes: the vertex
 /// shader makes everything from gl_VertexIndex and its resources. Push constants reach both
 /// shaders.
@@ -18,7 +23,8 @@ class GraphicsPipeline {
   /// slots: what the vertex shader reads. Throws DeviceError when the device refuses.
   GraphicsPipeline(const Device& device, const ShaderPair& shaders,
                    const std::vector<ResourceSlot>& slots, std::uint32_t pushConstantBytes,
-                   vk::RenderPass renderPass, vk::SampleCountFlagBits samples);
+                   vk::RenderPass renderPass, vk::SampleCountFlagBits samples,
+                   Blending blending = Blending::opaque);
 
   vk::DescriptorSetLayout setLayout() const { return *setLayout_; }
 

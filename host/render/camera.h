@@ -27,6 +27,8 @@ struct View {
 
 /// For results whose target is a patch, printed in z = 0 and bent towards +z.
 inline const View kPatchView{kObliqueViewDirection, kUpwards};
+/// For what is flat: from straight above, y up.
+inline const View kTopView{{0, 0, -1}, {0, 1, 0}};
 /// What rays along +x see of a mesh, y up.
 inline const View kRayView{{1, 0, 0}, {0, 1, 0}};
 /// For results whose target is a mesh: from where the rays come, a little from above and the left.

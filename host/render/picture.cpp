@@ -11,16 +11,15 @@
 #include "core/atomic_file.h"
 #include "core/error.h"
 #include "render/font.h"
-#include "shared/strain_color.h"
 
 namespace morphgrid {
 namespace {
 
 constexpr Color kInk = {45, 50, 60};
 constexpr std::string_view kEllipsis = "…";
-constexpr std::string_view kLegendTitle = "strain";
 constexpr double kSmallestLetters = 9;  // Pixels.
 constexpr double kLettersPerSide = 44;  // Of the picture.
+constexpr double kLineHeight = 1.05;    // In letters.
 
 /// Where things stand below the scene, in pixels; all follows from the size of the letters.
 struct Footer {
@@ -39,7 +38,7 @@ Footer layOutFooter(const PictureOptions& options) {
   };
   Footer footer{};
   footer.letters = letters;
-  footer.height = inLetters(3.4);
+  footer.height = inLetters(4.2);
   footer.margin = inLetters(1.2);
   footer.barWidth = std::min(inLetters(14), options.width / 3);
   footer.barHeight = inLetters(0.75);
@@ -57,43 +56,43 @@ void fillColumn(Image& image, int x, int top, int bottom, const Color& color) {
   }
 }
 
-Color barColor(double share) {
-  const auto strain = static_cast<float>((2 * share - 1) * kFullColorStrain);
-  const vec3 color = strainColor(strain);
+Color bytesOf(const glm::vec3& color) {
   const auto byte = [](float value) { return static_cast<std::uint8_t>(std::lround(255 * value)); };
   return {byte(color.r), byte(color.g), byte(color.b)};
 }
 
-void drawBar(Image& image, const Footer& footer) {
+void drawBar(Image& image, const Footer& footer, const Legend& legend) {
   for (int x = 0; x < footer.barWidth; ++x) {
     fillColumn(image, footer.barLeft + x, footer.barTop, footer.barTop + footer.barHeight,
-               barColor((x + 0.5) / footer.barWidth));
+               bytesOf(legend.colorAt((x + 0.5) / footer.barWidth)));
   }
 }
 
-/// A mark and a text below the bar, at this share of its width.
-void drawLabel(Image& image, const Footer& footer, const Font& font, std::string_view text,
-               double share) {
-  const double x = footer.barLeft + share * (footer.barWidth - 1);
+void drawMark(Image& image, const Footer& footer, const Font& font, const LegendMark& mark) {
+  const double x = footer.barLeft + mark.place * (footer.barWidth - 1);
   const int bottom = footer.barTop + footer.barHeight;
-  const int markHeight = std::max(2, static_cast<int>(footer.letters / 5));
-  fillColumn(image, static_cast<int>(x), bottom, bottom + markHeight, kInk);
-  font.write(image, text, footer.letters, x - font.widthOf(text, footer.letters) / 2,
-             bottom + 1.1 * footer.letters, kInk);
+  const int height = std::max(2, static_cast<int>(footer.letters / 5));
+  fillColumn(image, static_cast<int>(x), bottom, bottom + height, kInk);
+  double baseline = bottom + 1.1 * footer.letters;
+  for (const std::string_view text : {mark.text, mark.secondLine}) {
+    font.write(image, text, footer.letters, x - font.widthOf(text, footer.letters) / 2, baseline,
+               kInk);
+    baseline += kLineHeight * footer.letters;
+  }
 }
 
 /// Where the legend begins.
-double legendLeft(const Footer& footer, const Font& font) {
-  return footer.barLeft - footer.letters - font.widthOf(kLegendTitle, footer.letters);
+double legendLeft(const Footer& footer, const Font& font, const Legend& legend) {
+  return footer.barLeft - footer.letters - font.widthOf(legend.title, footer.letters);
 }
 
-void drawLegend(Image& image, const Footer& footer, const Font& font) {
-  const int percent = static_cast<int>(std::lround(100 * kFullColorStrain));
-  drawBar(image, footer);
-  drawLabel(image, footer, font, fmt::format("−{} %", percent), 0);
-  drawLabel(image, footer, font, "0", 0.5);
-  drawLabel(image, footer, font, fmt::format("+{} %", percent), 1);
-  font.write(image, kLegendTitle, footer.letters, legendLeft(footer, font), footer.baseline, kInk);
+void drawLegend(Image& image, const Footer& footer, const Font& font, const Legend& legend) {
+  drawBar(image, footer, legend);
+  for (const LegendMark& mark : legend.marks) {
+    drawMark(image, footer, font, mark);
+  }
+  font.write(image, legend.title, footer.letters, legendLeft(footer, font, legend), footer.baseline,
+             kInk);
 }
 
 /// The longest beginning of the text that fits, with an ellipsis where it was cut.
@@ -113,8 +112,9 @@ std::string fitted(std::string text, const Font& font, double letters, double wi
 
 void drawCaption(Image& image, const Footer& footer, const Font& font,
                  const PictureOptions& options) {
-  const double right = options.legend ? legendLeft(footer, font) - 2 * footer.letters
-                                      : options.width - footer.margin;
+  const double right = options.legend
+                           ? legendLeft(footer, font, *options.legend) - 2 * footer.letters
+                           : options.width - footer.margin;
   font.write(image, fitted(options.caption, font, footer.letters, right - footer.margin),
              footer.letters, footer.margin, footer.baseline, kInk);
 }
@@ -135,7 +135,7 @@ Image composePicture(const Image& scene, const PictureOptions& options) {
     const Font font = Font::findSans();
     drawCaption(picture, footer, font, options);
     if (options.legend) {
-      drawLegend(picture, footer, font);
+      drawLegend(picture, footer, font, *options.legend);
     }
   }
   return picture;

@@ -1,17 +1,19 @@
 #pragma once
 #include <filesystem>
+#include <optional>
 #include <string>
 
 #include "render/image.h"
+#include "render/legend.h"
 
 namespace morphgrid {
 
-/// A picture is a scene with a footer: a caption on the left, a colour bar of strains on the right.
+/// A picture is a scene with a footer: a caption on the left, a legend on the right.
 struct PictureOptions {
   int width = 1280;     ///< Of the whole, in pixels, >= kSmallestPicture
   int height = 960;     ///< Of the whole, in pixels, >= kSmallestPicture
   std::string caption;  ///< One line of UTF-8; cut short where it does not fit.
-  bool legend = true;
+  std::optional<Legend> legend;
 };
 
 constexpr int kSmallestPicture = 64;

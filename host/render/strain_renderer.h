@@ -5,7 +5,6 @@
 #include "gpu/offscreen_target.h"
 #include "render/camera.h"
 #include "render/image.h"
-#include "render/local_view.h"
 #include "solve/device_grid.h"
 
 namespace morphgrid {
@@ -29,8 +28,7 @@ class StrainRenderer {
                     const Camera& camera);
 
  private:
-  LocalView viewOf(const DeviceGrid& grid, const Eigen::Isometry3d& worldFromGrid,
-                   const Camera& camera) const;
+  int height() const { return static_cast<int>(target_.height()); }
   Image imageOf(std::vector<std::uint8_t> rgba) const;
 
   const Device& device_;

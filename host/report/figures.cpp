@@ -30,6 +30,10 @@ double meanAngleErrorPercent(const GridShape& shape, const Matrix3Xd& x) {
   return 100 * sum / static_cast<double>(corners.size());
 }
 
+double rootMeanSquare(const Eigen::VectorXd& values) {
+  return std::sqrt(values.squaredNorm() / static_cast<double>(values.size()));
+}
+
 /// Relative length errors on the layers that carry L0 and L_b, summed over struts.
 class LateralErrors {
  public:
@@ -84,15 +88,13 @@ TargetDistance computeTargetDistance(const Matrix3Xd& middle, const Matrix3Xd& t
                                      const ClosestPointQuery& closestPoints) {
   const Matrix3Xd aligned = alignRigidly(middle, targets) * middle;
   const double diagonal = (targets.rowwise().maxCoeff() - targets.rowwise().minCoeff()).norm();
-  const Eigen::VectorXd squared = (aligned - targets).colwise().squaredNorm();
+  const Eigen::VectorXd parametric = 100 / diagonal * (aligned - targets).colwise().norm();
   Eigen::VectorXd closest(aligned.cols());
   for (Eigen::Index n = 0; n < aligned.cols(); ++n) {
-    closest[n] = closestPoints.distance(aligned.col(n));
+    closest[n] = 100 / diagonal * closestPoints.distance(aligned.col(n));
   }
-  const double percent = 100 / diagonal;
-  return {percent * std::sqrt(squared.mean()), percent * std::sqrt(squared.maxCoeff()),
-          percent * std::sqrt(closest.squaredNorm() / static_cast<double>(closest.size())),
-          percent * closest.maxCoeff()};
+  return {rootMeanSquare(parametric), parametric.maxCoeff(), rootMeanSquare(closest),
+          closest.maxCoeff(),         spreadOf(parametric),  spreadOf(closest)};
 }
 
 ClosestPointQuery closestPointsOf(const Surface& surface) {
@@ -106,22 +108,6 @@ ClosestPointQuery closestPointsOf(const Surface& surface) {
   }
   const SurfaceMesh mesh = tessellate(kPoints, kPoints, points, 1);
   return {mesh.vertices, mesh.triangles};
-}
-
-ShrinkFigures computeShrink(const StrutGrid& stacked, double maxShrinkage) {
-  ShrinkFigures figures{0, 0};
-  const double limit = maxShrinkage + 1e-9;  // A strut designed to the limit is not over it.
-  for (const Strut& strut : listStruts(stacked.shape)) {
-    if (strut.direction == Strut::Direction::w) {
-      continue;
-    }
-    const double printed =
-        (stacked.positions.col(strut.to) - stacked.positions.col(strut.from)).norm();
-    const double shrink = 1 - valueAt(stacked.rest, strut) / printed;
-    figures.largestPercent = std::max(figures.largestPercent, 100 * shrink);
-    figures.strutsOverLimit += shrink > limit ? 1 : 0;
-  }
-  return figures;
 }
 
 }  // namespace morphgrid

@@ -3,6 +3,7 @@
 
 #include "design/grid_design.h"
 #include "grid/strut_grid.h"
+#include "report/distance_spread.h"
 #include "surface/closest_point.h"
 #include "surface/surface.h"
 
@@ -26,6 +27,8 @@ struct TargetDistance {
   double maxPercent;
   double closestPointRmsPercent;  ///< To the closest point of the surface: forgives sliding in it.
   double closestPointMaxPercent;
+  DistanceSpread spread;              ///< Of the distances to the points of the same parameters.
+  DistanceSpread closestPointSpread;  ///< Of those to the closest points.
 };
 
 /// middle, targets: one column per vertex of a layer, matching. closestPoints: of the target.
@@ -35,14 +38,5 @@ TargetDistance computeTargetDistance(const Eigen::Matrix3Xd& middle,
 
 /// Of a fine triangulation of the surface.
 ClosestPointQuery closestPointsOf(const Surface& surface);
-
-/// Shrink of a strut = 1 - rest / printed length, the printed one being where the full stage
-/// starts.
-struct ShrinkFigures {
-  double largestPercent;
-  int strutsOverLimit;  ///< Lateral struts that shrink by more than maxShrinkage.
-};
-
-ShrinkFigures computeShrink(const StrutGrid& stacked, double maxShrinkage);
 
 }  // namespace morphgrid

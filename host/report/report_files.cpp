@@ -86,15 +86,61 @@ ordered_json toJson(const StrutErrors& e) {
       {"l0_percent", e.l0Percent}, {"lb_percent", e.lbPercent}, {"angle_percent", e.anglePercent}};
 }
 
+ordered_json histogramOf(const DistanceSpread& s) {
+  return {{"bin_percent", s.binPercent}, {"counts", s.counts}};
+}
+
 ordered_json toJson(const TargetDistance& d) {
   return {{"rms_percent", d.rmsPercent},
           {"max_percent", d.maxPercent},
+          {"median_percent", d.spread.medianPercent},
+          {"percentile_90_percent", d.spread.percentile90},
+          {"percentile_99_percent", d.spread.percentile99},
+          {"histogram", histogramOf(d.spread)},
           {"closest_point_rms_percent", d.closestPointRmsPercent},
-          {"closest_point_max_percent", d.closestPointMaxPercent}};
+          {"closest_point_max_percent", d.closestPointMaxPercent},
+          {"closest_point_median_percent", d.closestPointSpread.medianPercent},
+          {"closest_point_percentile_90_percent", d.closestPointSpread.percentile90},
+          {"closest_point_percentile_99_percent", d.closestPointSpread.percentile99},
+          {"closest_point_histogram", histogramOf(d.closestPointSpread)}};
+}
+
+ordered_json toJson(const ShrinkCounts& s) {
+  return {{"largest_percent", s.largestPercent},
+          {"struts_over_limit", s.strutsOverLimit},
+          {"struts_at_limit", s.strutsAtLimit},
+          {"struts_growing", s.strutsGrowing},
+          {"largest_growth_percent", s.largestGrowthPercent}};
 }
 
 ordered_json toJson(const ShrinkFigures& s) {
-  return {{"largest_percent", s.largestPercent}, {"struts_over_limit", s.strutsOverLimit}};
+  ordered_json json = toJson(static_cast<const ShrinkCounts&>(s));
+  json["layers"] = ordered_json::array();
+  for (const ShrinkCounts& layer : s.layers) {
+    json["layers"].push_back(toJson(layer));
+  }
+  return json;
+}
+
+ordered_json toJson(const LatticePlace& place) { return {place.i, place.j, place.layer}; }
+
+ordered_json toJson(const CloseStruts& c) {
+  const bool any = c.count > 0;
+  return {{"thickness", c.thickness},
+          {"count", c.count},
+          {"smallest_clearance", any ? ordered_json(c.smallestClearance) : nullptr},
+          {"closest", any ? toJson(c.closest) : nullptr}};
+}
+
+ordered_json toJson(const Feasibility& f) {
+  const bool cut = f.selfIntersection.cells > 0;
+  return {{"inverted_cells", f.cells.inverted},
+          {"collapsed_cells", f.cells.collapsed},
+          {"smallest_relative_area", f.cells.smallestRelativeArea},
+          {"smallest_cell", toJson(f.cells.smallest)},
+          {"self_intersecting_cells", f.selfIntersection.cells},
+          {"first_self_intersection", cut ? toJson(f.selfIntersection.first) : nullptr},
+          {"close_struts", f.closeStruts ? toJson(*f.closeStruts) : nullptr}};
 }
 
 template <typename Figures>
@@ -223,6 +269,26 @@ void addStage(Table& table, const char* name, const std::optional<Equilibrium>& 
   }
 }
 
+/// Only what is wrong.
+void addFeasibility(Table& table, const RunRecord& record) {
+  const auto rowIfAny = [&](const char* what, int count) {
+    if (count > 0) {
+      table.row(what, fmt::format("{}", count));
+    }
+  };
+  if (record.shrink) {
+    rowIfAny("struts at the limit", record.shrink->strutsAtLimit);
+    rowIfAny("struts that must grow", record.shrink->strutsGrowing);
+  }
+  if (record.feasibility) {
+    const Feasibility& f = *record.feasibility;
+    rowIfAny("inverted cells", f.cells.inverted);
+    rowIfAny("collapsed cells", f.cells.collapsed);
+    rowIfAny("self-intersecting cells", f.selfIntersection.cells);
+    rowIfAny("struts too close", f.closeStruts ? f.closeStruts->count : 0);
+  }
+}
+
 void addResults(Table& table, const RunRecord& record, const PublishedFigures& paper) {
   const auto percent = [](double value) { return fmt::format("{:.2f} %", value); };
   if (record.errors) {
@@ -241,6 +307,7 @@ void addResults(Table& table, const RunRecord& record, const PublishedFigures& p
     table.row("largest shrink", percent(record.shrink->largestPercent));
     table.row("struts over the limit", fmt::format("{}", record.shrink->strutsOverLimit));
   }
+  addFeasibility(table, record);
 }
 
 }  // namespace
@@ -261,6 +328,7 @@ std::string toJson(const RunRecord& record) {
       {"errors", orNull(record.errors)},
       {"distance_to_target", orNull(record.distance)},
       {"shrink", orNull(record.shrink)},
+      {"feasibility", orNull(record.feasibility)},
       {"device_failure",
        record.deviceFailure ? ordered_json(*record.deviceFailure) : ordered_json(nullptr)},
       {"notices", record.notices}};

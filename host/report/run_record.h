@@ -6,7 +6,9 @@
 #include "design/curvature_cutoff.h"
 #include "design/grid_design.h"
 #include "grid/strut_grid.h"
+#include "report/feasibility.h"
 #include "report/figures.h"
+#include "report/shrink_figures.h"
 #include "solve/equilibrium.h"
 #include "surface/mesh_ray_caster.h"
 
@@ -68,6 +70,7 @@ struct RunRecord {
   std::optional<StrutErrors> errors;
   std::optional<TargetDistance> distance;
   std::optional<ShrinkFigures> shrink;
+  std::optional<Feasibility> feasibility;
   std::optional<PublishedFigures> published;
   std::optional<std::string> deviceFailure;  ///< What the device said when it failed on the way.
   std::vector<std::string> notices;

@@ -1,31 +1,16 @@
-// A strut's colour by its strain, shaded like a rod; the shading keeps the hue.
+// A strut's colour by its strain.
 #version 450
 #extension GL_GOOGLE_include_directive : require
-#include "shared/render_types.h"
+#include "render/rod.glsl"
 #include "shared/strain_color.h"
 
-layout(push_constant) uniform Push { StrutPush push; };
-
 layout(location = 0) flat in float strain;
-layout(location = 1) in float across;
-layout(location = 2) in vec3 side;
-layout(location = 3) in vec3 facing;
-layout(location = 4) in float pixels;
-layout(location = 5) in float behind;
-layout(location = 6) in vec2 fromEnds;
+layout(location = 6) in float behind;
 
 layout(location = 0) out vec4 color;
 
 const float kFarthestLayer = 0.6;  // Brightness: layers behind recede.
 
 void main() {
-  float t = clamp(across, -1, 1);
-  vec3 normal = normalize(t * side + sqrt(1 - t * t) * facing);
-  float lit = 0.62 + 0.38 * dot(normal, push.towardsLight);
-  // Rods that meet melt into each other.
-  float apart = smoothstep(0.5, 2.0, min(fromEnds.x, fromEnds.y));
-  float rim = 1 - 0.45 * apart * t * t * t * t;
-  // A rod of few pixels has no room for shading: there it would only darken the colour.
-  float shade = mix(0.9, lit * rim, smoothstep(0.75, 2.5, pixels));
-  color = vec4(strainColor(strain) * shade * mix(1, kFarthestLayer, behind), 1);
+  color = vec4(shadeRod(strainColor(strain)) * mix(1, kFarthestLayer, behind), 1);
 }

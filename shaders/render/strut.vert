@@ -1,78 +1,34 @@
-// A strut as a ribbon that faces the eye: two triangles of a strut of the implicit topology.
+// A strut that shows its strain.
 #version 450
 #extension GL_GOOGLE_include_directive : require
-#include "shared/render_types.h"
-#include "shared/solver_types.h"
-#include "solve/edge.glsl"
+#include "render/strut.glsl"
 
-layout(binding = kBindingPositions) uniform isamplerBuffer positions;
 layout(binding = kBindingRest) uniform isamplerBuffer restLengths;
-layout(push_constant) uniform Push { StrutPush push; };
 
 layout(location = 0) flat out float strain;
-layout(location = 1) out float across;  // -1 .. 1
-layout(location = 2) out vec3 side;     // Where `across` grows.
-layout(location = 3) out vec3 facing;   // Towards the eye, at right angles to the strut.
-layout(location = 4) out float pixels;  // Half the ribbon's width.
-layout(location = 5) out float behind;  // 0 in the layer next to the eye, 1 in the farthest.
-layout(location = 6) out vec2 fromEnds;  // In half widths: from the beginning, and from the end.
-
-// Corners of two triangles: x along the strut, y across it.
-const vec2 kCorners[kVerticesPerQuad] =
-    vec2[](vec2(0, -1), vec2(1, -1), vec2(1, 1), vec2(0, -1), vec2(1, 1), vec2(0, 1));
-
-const float kLeastHalfWidth = 0.75;  // Pixels: anything thinner breaks up.
-const float kOverlap = 0.5;          // Half widths beyond the ends: closes the joints.
-
-ivec3 latticeOf(int strut) {
-  ivec3 count = ivec3(push.verticesU, push.verticesV, push.layers);
-  count[push.direction] -= 1;
-  return ivec3(strut % count.x, strut / count.x % count.y, strut / (count.x * count.y));
-}
+layout(location = 6) out float behind;  // 0 in the layer next to the eye, 1 in the farthest.
 
 // How far behind the other layers this strut lies, from the column at its beginning.
-float placeBehind(ivec3 lattice, int index, int layerLength, vec3 towardsEye) {
+float placeBehind(Ribbon strut) {
   if (push.layers == 1) {
     return 0;
   }
-  int lower = lattice.z + 1 < push.layers ? index : index - layerLength;
+  int layerLength = push.verticesU * push.verticesV;
+  int lower = strut.lattice.z + 1 < push.layers ? strut.index : strut.index - layerLength;
+  vec3 towardsEye = push.eye - vec3(texelFetch(positions, strut.index).xyz) * push.resolution;
   vec3 upwards = armBetween(texelFetch(positions, lower),
                             texelFetch(positions, lower + layerLength), push.resolution);
   float facingUp = dot(upwards, towardsEye) / max(length(upwards) * length(towardsEye), 1e-20);
-  float height = float(lattice.z) + (push.direction == 2 ? 0.5 : 0);
+  float height = float(strut.lattice.z) + (push.direction == 2 ? 0.5 : 0);
   float aboveMiddle = 2 * height / float(push.layers - 1) - 1;
   // Steep, but no step: where the eye looks along the layers none is in front.
   return 0.5 - 0.5 * aboveMiddle * clamp(4 * facingUp, -1, 1);
 }
 
 void main() {
-  ivec3 lattice = latticeOf(gl_VertexIndex / int(kVerticesPerQuad));
-  ivec3 strides = ivec3(1, push.verticesU, push.verticesU * push.verticesV);
-  int index = lattice.x + lattice.y * strides.y + lattice.z * strides.z;
-  ivec4 from = texelFetch(positions, index);
-  ivec4 to = texelFetch(positions, index + strides[push.direction]);
-  int rest = texelFetch(restLengths, index)[push.direction];
-
-  vec3 arm = armBetween(from, to, push.resolution);
-  strain = lengthExcess(dot(arm, arm), rest, push.restResolution) /
+  Ribbon strut = placeCorner();
+  int rest = texelFetch(restLengths, strut.index)[push.direction];
+  strain = lengthExcess(dot(strut.arm, strut.arm), rest, push.restResolution) /
            (float(rest) * push.restResolution);
-
-  vec2 corner = kCorners[gl_VertexIndex % int(kVerticesPerQuad)];
-  vec3 start = vec3(from.xyz) * push.resolution;
-  vec3 end = start + corner.x * arm;
-  vec3 towardsEye = push.eye - end;
-  float pixelSize = push.pixelSize * length(towardsEye);
-  float halfWidth = max(push.halfWidth, kLeastHalfWidth * pixelSize);
-  // Seen from its end, or without length, a ribbon has no side; nor would it be seen.
-  vec3 sideways = cross(arm, towardsEye);
-  side = sideways / max(length(sideways), 1e-20);
-  vec3 backwards = cross(side, arm);
-  facing = backwards / max(length(backwards), 1e-20);
-  across = corner.y;
-  pixels = halfWidth / pixelSize;
-  behind = placeBehind(lattice, index, strides.z, push.eye - start);
-  vec3 along = arm / max(length(arm), 1e-20) * (2 * corner.x - 1);
-  fromEnds = vec2(corner.x, 1 - corner.x) * length(arm) / halfWidth;
-  vec3 outline = corner.y * side + kOverlap * along;
-  gl_Position = push.clipFromLocal * vec4(end + halfWidth * outline, 1);
+  behind = placeBehind(strut);
 }

@@ -26,8 +26,10 @@ CONSTANT uint kBindingMeshTriangles = 1u;  // three vertex indices a triangle
 CONSTANT uint kBindingRayHits = 2u;  // vec4 a ray: where it hit, local; w is 0 where it missed
 CONSTANT uint kBindingBalls = 3u;    // vec4 a ball: its centre, local; w is 0 for a missed ray
 
-// Struts and surfaces: bindings kBindingPositions and kBindingRest of solver_types.h. Local
-// coordinates are spacings about the zero of the fixed-point positions.
+// Struts and surfaces: bindings kBindingPositions and kBindingRest of solver_types.h, and shares.
+// Local coordinates are spacings about the zero of the fixed-point positions.
+CONSTANT uint kBindingShares =
+    4u;  // texels: a vec4 a vertex, its struts' to +u, +v; a float a vertex
 
 struct StrutPush {
   mat4 clipFromLocal;

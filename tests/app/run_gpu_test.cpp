@@ -30,14 +30,17 @@ class Run : public testing::Test {
 };
 
 TEST_F(Run, LeavesReportPicturesAndFiles) {
-  const ProcessResult run = runMorphgrid({"run", sceneFile("egg_chair"), "--out", out(),
-                                          "--validate", "--set", "grid.nodes_long=8", "--set",
-                                          "output.width=320", "--set", "output.height=240"});
+  const ProcessResult run =
+      runMorphgrid({"run", sceneFile("egg_chair"), "--out", out(), "--validate", "--set",
+                    "grid.nodes_long=8", "--set", "grid.strut_thickness=0.31", "--set",
+                    "output.width=320", "--set", "output.height=240"});
   EXPECT_EQ(run.exitCode, 0) << run.output;
   EXPECT_THAT(run.output, HasSubstr("paper Fig. 4"));
-  for (const char* file : {"report.json", "convergence.csv", "initial.png", "in_plane.png",
-                           "stacked.png", "warped.png", "surface.png", "target.png", "warped.glb",
-                           "warped.vtu", "surface.ply", "surface.obj"}) {
+  EXPECT_THAT(run.output, HasSubstr("closer to another than grid.strut_thickness = 0.31"));
+  for (const char* file :
+       {"report.json", "convergence.csv", "initial.png", "in_plane.png", "stacked.png",
+        "shrink.png", "warped.png", "surface.png", "target.png", "distance.png", "warped.glb",
+        "warped.vtu", "surface.ply", "surface.obj"}) {
     EXPECT_TRUE(exists(file)) << file;
   }
   const auto json = report();
@@ -46,6 +49,9 @@ TEST_F(Run, LeavesReportPicturesAndFiles) {
   EXPECT_TRUE(json["full"]["reason"] == "residual" || json["full"]["reason"] == "energy");
   EXPECT_LE(json["full"]["residual"].get<double>(), 1e-8);
   EXPECT_GT(json["distance_to_target"]["rms_percent"].get<double>(), 0);
+  EXPECT_EQ(json["feasibility"]["inverted_cells"], 0);
+  EXPECT_EQ(json["feasibility"]["self_intersecting_cells"], 0);
+  EXPECT_GT(json["feasibility"]["close_struts"]["count"], 0) << "the layers' spacing is 0.3";
   EXPECT_LE(json["distance_to_target"]["closest_point_rms_percent"].get<double>(),
             json["distance_to_target"]["rms_percent"].get<double>());
 }
@@ -129,7 +135,10 @@ TEST_F(Run, OneLayerStopsAfterTheInPlaneStage) {
        "grid.nodes_long=6", "--set", "output.width=320", "--set", "output.height=240"});
   EXPECT_EQ(run.exitCode, 0) << run.output;
   EXPECT_TRUE(report()["full"].is_null());
+  EXPECT_TRUE(report()["shrink"].is_null());
+  EXPECT_TRUE(report()["feasibility"]["close_struts"].is_null());
   EXPECT_TRUE(exists("surface.png"));
+  EXPECT_FALSE(exists("shrink.png"));
 }
 
 TEST_F(Run, NotConvergedWritesItsResultsAndExitsWith3) {

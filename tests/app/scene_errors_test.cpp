@@ -71,10 +71,10 @@ TEST(SceneErrors, UnknownKeys) {
            "scene.toml:6:1: unknown key grid.tolerance; did you mean solver.tolerance?"},
           {"bananas = 4",
            "scene.toml:6:1: unknown key grid.bananas; known here: layers, layer_spacing, "
-           "nodes_long, max_shrinkage, curvature_cutoff"},
+           "nodes_long, max_shrinkage, curvature_cutoff, strut_thickness"},
           {"\"a\\nb\" = 4",
            "scene.toml:6:1: unknown key grid.a\\x0ab; known here: layers, layer_spacing, "
-           "nodes_long, max_shrinkage, curvature_cutoff"},
+           "nodes_long, max_shrinkage, curvature_cutoff, strut_thickness"},
           {"[wieghts]\nlateral = 0", "scene.toml:6:2: unknown key wieghts; did you mean weights?"},
           {"[[weigths]]\nlateral = 0",
            "scene.toml:6:3: unknown key weigths; did you mean weights?"},
@@ -173,7 +173,7 @@ patch = "none.toml"
             "scene.toml:6:1: grid.layer_spacing is missing: it must be a number > 0\n"
             "scene.toml:7:10: grid.layers must be an integer >= 1 and <= 64, got 4.5\n"
             "scene.toml:8:1: unknown key grid.foo; known here: layers, layer_spacing, nodes_long, "
-            "max_shrinkage, curvature_cutoff\n"
+            "max_shrinkage, curvature_cutoff, strut_thickness\n"
             "scene.toml:11:9: surface.patch must name a readable file, got none.toml: No such "
             "file or directory");
 }

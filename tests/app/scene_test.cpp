@@ -146,6 +146,7 @@ TEST(LoadScene, LeavesTheDefaultsOfWhatIsNotGiven) {
   EXPECT_EQ(scene.name, "scene");
   EXPECT_EQ(scene.title, "scene");
   expectDesign(scene, 3, 0.1, 20, 0.4);
+  EXPECT_FALSE(scene.design.strutThickness);
   EXPECT_EQ(scene.weights.lateral, 5);
   EXPECT_EQ(scene.weights.vertical, 40);
   EXPECT_EQ(scene.weights.angle, 1);
@@ -164,7 +165,7 @@ TEST(LoadScene, LeavesTheDefaultsOfWhatIsNotGiven) {
 TEST(LoadScene, ReadsEveryKeyOfABezierScene) {
   const SceneFiles files(R"(title = "T\u00e4ßt"
 surface = { kind = "bezier", patch = "./p.toml" }
-grid = { layers = 64, layer_spacing = 2, nodes_long = 7, max_shrinkage = 0.25, curvature_cutoff = 1 }
+grid = { layers = 64, layer_spacing = 2, nodes_long = 7, max_shrinkage = 0.25, curvature_cutoff = 1, strut_thickness = 0.5 }
 weights.lateral = 6
 weights.vertical = 4e1
 weights.angle = 0
@@ -187,6 +188,7 @@ obj = false
   EXPECT_EQ(scene.title, "T\u00e4\u00dft");
   EXPECT_NE(scene.surface, nullptr);
   expectDesign(scene, 64, 2, 7, 0.25);
+  EXPECT_EQ(scene.design.strutThickness, 0.5);
   EXPECT_EQ(scene.weights.lateral, 6);
   EXPECT_EQ(scene.weights.vertical, 40);
   EXPECT_EQ(scene.weights.angle, 0);

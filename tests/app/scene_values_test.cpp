@@ -39,6 +39,10 @@ TEST(SceneValues, GridOfAPatch) {
            "scene.toml:6:17: grid.max_shrinkage must be a number > 0 and < 1, got nan"},
           {"curvature_cutoff = 0.0",
            "scene.toml:6:20: grid.curvature_cutoff must be a number > 0 and <= 1, got 0.0"},
+          {"strut_thickness = 0",
+           "scene.toml:6:19: grid.strut_thickness must be a number > 0, got 0"},
+          {"strut_thickness = inf",
+           "scene.toml:6:19: grid.strut_thickness must be a number > 0, got inf"},
           {"curvature_cutoff = 1.01",
            "scene.toml:6:20: grid.curvature_cutoff must be a number > 0 and <= 1, got 1.01"},
       });

@@ -10,6 +10,7 @@
 #include <vtkUnstructuredGrid.h>
 #include <vtkXMLUnstructuredGridReader.h>
 
+#include "grid/shrink.h"
 #include "grid/strain.h"
 #include "tests/export/export_samples.h"
 
@@ -68,12 +69,15 @@ TEST_P(Vtu, StrutsAreLinesBetweenTheirEnds) {
 TEST_P(Vtu, KeepsEveryValueOfTheStruts) {
   vtkDataArray& strain = cellArray("strain", VTK_DOUBLE);
   vtkDataArray& restLength = cellArray("rest_length", VTK_DOUBLE);
+  vtkDataArray& shrink = cellArray("shrink", VTK_DOUBLE);
   vtkDataArray& layer = cellArray("layer", VTK_INT);
   vtkDataArray& direction = cellArray("direction", VTK_INT);
+  const StrutValues shrinks = computeShrinks(sample.grid);
   const std::vector<double> strutStrains = strains(sample.grid, sample.positions);
   for (std::size_t i = 0; i < struts.size(); ++i) {
     EXPECT_EQ(strain.GetComponent(i, 0), strutStrains[i]);
     EXPECT_EQ(restLength.GetComponent(i, 0), valueAt(sample.grid.rest, struts[i]));
+    EXPECT_EQ(shrink.GetComponent(i, 0), valueAt(shrinks, struts[i]));
     EXPECT_EQ(layer.GetComponent(i, 0), struts[i].layer);
     EXPECT_EQ(direction.GetComponent(i, 0), static_cast<int>(struts[i].direction));
   }

@@ -1,5 +1,6 @@
 #include <filesystem>
 
+#include "render/draw_shares.h"
 #include "render/picture.h"
 #include "render/strain_renderer.h"
 #include "tests/render/pixels.h"
@@ -30,6 +31,17 @@ std::string differenceText(const Image& actual, const std::filesystem::path& gol
                    " of 255, allowed are " + std::to_string(kLargestMeanDifference);
 }
 
+void expectGolden(const Image& image, const std::string& name) {
+  const std::filesystem::path golden = sourceFolder() / "tests/golden" / (name + ".png");
+  const std::string difference = differenceText(image, golden);
+  if (!difference.empty()) {
+    const std::filesystem::path actual = binaryFolder() / (name + "_actual.png");
+    writePng(actual, image);
+    ADD_FAILURE() << difference << "; look at " << actual << "; if this is how it should look, "
+                  << "copy it to " << golden;
+  }
+}
+
 TEST_F(GoldenPicture, StrainedSaddle) {
   const StrutGrid grid = saddleGrid({13, 10, 3});
   const Camera camera = frameAll(grid.positions, kObliqueViewDirection, kUpwards, 256.0 / 192);
@@ -37,14 +49,18 @@ TEST_F(GoldenPicture, StrainedSaddle) {
   const Image image =
       renderer.drawStruts(DeviceGrid(device_, grid), Eigen::Isometry3d::Identity(), camera);
 
-  const std::filesystem::path golden = sourceFolder() / "tests/golden/strained_saddle.png";
-  const std::string difference = differenceText(image, golden);
-  if (!difference.empty()) {
-    const std::filesystem::path actual = binaryFolder() / "strained_saddle_actual.png";
-    writePng(actual, image);
-    ADD_FAILURE() << difference << "; look at " << actual << "; if this is how it should look, "
-                  << "copy it to " << golden;
-  }
+  expectGolden(image, "strained_saddle");
+}
+
+TEST_F(GoldenPicture, SaddleBehindAVeil) {
+  const StrutGrid grid = saddleGrid({13, 10, 3});
+  const DeviceGrid surface(device_, grid), veil(device_, flatGrid({13, 10, 1}));
+  const Eigen::Isometry3d centred(Eigen::Translation3d(-6, -4.5, 0.5));
+  const Eigen::VectorXd shares = Eigen::VectorXd::LinSpaced(13 * 10, 0, 1);
+  const Camera camera = frameAll(grid.positions, kObliqueViewDirection, kUpwards, 256.0 / 192);
+  expectGolden(drawSurfaceShares(device_, {surface, Eigen::Isometry3d::Identity()}, shares,
+                                 {veil, centred}, camera, 256, 192),
+               "veiled_saddle");
 }
 
 }  // namespace

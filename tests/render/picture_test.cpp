@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "core/error.h"
+#include "shared/share_color.h"
 #include "shared/strain_color.h"
 #include "tests/render/pixels.h"
 #include "tests/support/temporary_folder.h"
@@ -18,7 +19,7 @@ Image sceneOf(const PictureOptions& options, std::uint8_t value = 255) {
 }
 
 PictureOptions options(std::string caption, bool legend, int width = 800, int height = 600) {
-  return {width, height, std::move(caption), legend};
+  return {width, height, std::move(caption), legend ? std::optional(strainLegend()) : std::nullopt};
 }
 
 Image pictureOf(const PictureOptions& options) { return composePicture(sceneOf(options), options); }
@@ -72,21 +73,53 @@ std::vector<Pixel> longestRun(const Image& image, int row) {
   return longest;
 }
 
+void expectColor(const Pixel& pixel, const vec3& color) {
+  for (int channel = 0; channel < 3; ++channel) {
+    EXPECT_NEAR(pixel[channel], 255 * color[channel], 4);
+  }
+}
+
 TEST(Picture, BarShowsTheColorsOfStrains) {
   const Image picture = pictureOf(options("", true));
   const std::vector<Pixel> bar = longestRun(picture, coloredBox(picture).top + 5);
   ASSERT_GT(bar.size(), 100U);
-  const auto expectStrain = [](const Pixel& pixel, float strain) {
-    const vec3 color = strainColor(strain);
-    for (int channel = 0; channel < 3; ++channel) {
-      EXPECT_NEAR(pixel[channel], 255 * color[channel], 4) << "at strain " << strain;
-    }
-  };
-  expectStrain(bar.front(), -0.2F);
-  expectStrain(bar[bar.size() / 4], -0.1F);
-  expectStrain(bar[bar.size() / 2], 0);
-  expectStrain(bar[3 * bar.size() / 4], 0.1F);
-  expectStrain(bar.back(), 0.2F);
+  expectColor(bar.front(), strainColor(-0.2F));
+  expectColor(bar[bar.size() / 4], strainColor(-0.1F));
+  expectColor(bar[bar.size() / 2], strainColor(0));
+  expectColor(bar[3 * bar.size() / 4], strainColor(0.1F));
+  expectColor(bar.back(), strainColor(0.2F));
+}
+
+std::vector<Pixel> barOf(const Legend& legend) {
+  PictureOptions wanted = options("", false);
+  wanted.legend = legend;
+  const Image picture = pictureOf(wanted);
+  return longestRun(picture, coloredBox(picture).top + 5);
+}
+
+TEST(Picture, BarOfShrinkShowsWhatIsBeyondItsEnds) {
+  const std::vector<Pixel> bar = barOf(shrinkLegend());
+  ASSERT_GT(bar.size(), 100U);
+  expectColor(bar[bar.size() / 10], shareColor(-1));
+  expectColor(bar[bar.size() / 2], shareColor(0.5));
+  expectColor(bar[bar.size() * 9 / 10], shareColor(2));
+}
+
+TEST(Picture, BarOfDistancesRunsFromNoneToTheLargest) {
+  const std::vector<Pixel> bar = barOf(distanceLegend(0.75, 4.5));
+  expectColor(bar.front(), shareColor(0));
+  expectColor(bar.back(), shareColor(1));
+  const Legend legend = distanceLegend(0.75, 4.5);
+  EXPECT_EQ(legend.marks.back().text, "4.5 %");
+  EXPECT_EQ(legend.marks.back().secondLine, "0.75");
+}
+
+TEST(Picture, SecondLinesOfMarksAreNotCutOff) {
+  for (const auto& [width, height] : {std::pair(64, 64), {800, 600}, {200, 1000}}) {
+    PictureOptions wanted = options("", false, width, height);
+    wanted.legend = distanceLegend(0.25, 1.25);
+    EXPECT_LT(coloredBox(pictureOf(wanted)).bottom, height - 1);
+  }
 }
 
 TEST(Picture, LongCaptionIsCutBeforeTheLegend) {

@@ -19,6 +19,11 @@ class Plane : public Surface {
   double curvatureAlongV(double, double) const override { return 0; }
 };
 
+const ClosestPointQuery& plane() {
+  static const ClosestPointQuery query = closestPointsOf(Plane());
+  return query;
+}
+
 Eigen::Matrix3Xd planePoints(int count) {
   Eigen::Matrix3Xd points(3, count * count);
   for (int j = 0; j < count; ++j) {
@@ -33,8 +38,7 @@ TEST(TargetDistance, RigidMotionIsForgiven) {
   const Eigen::Matrix3Xd targets = planePoints(5);
   const Eigen::Isometry3d motion =
       Eigen::Translation3d(3, 4, 5) * Eigen::AngleAxisd(1.3, Eigen::Vector3d(1, 2, 3).normalized());
-  const TargetDistance d =
-      computeTargetDistance(motion * targets, targets, closestPointsOf(Plane()));
+  const TargetDistance d = computeTargetDistance(motion * targets, targets, plane());
   EXPECT_LT(d.maxPercent, 1e-12);
   EXPECT_LT(d.closestPointMaxPercent, 1e-12);
 }
@@ -43,7 +47,7 @@ TEST(TargetDistance, ClosestPointForgivesSlidingInTheSurface) {
   const Eigen::Matrix3Xd targets = planePoints(5);
   Eigen::Matrix3Xd slid = targets;
   slid.col(12) += Eigen::Vector3d(0.05, -0.02, 0);  // the centre
-  const TargetDistance d = computeTargetDistance(slid, targets, closestPointsOf(Plane()));
+  const TargetDistance d = computeTargetDistance(slid, targets, plane());
   EXPECT_GT(d.rmsPercent, 0.5);
   EXPECT_LT(d.closestPointRmsPercent, 0.2);
 }
@@ -55,9 +59,22 @@ TEST(TargetDistance, IsInPercentOfTheDiagonal) {
   for (int n = 0; n < 9; ++n) {
     bumped(2, n) = 0.01 * ((n % 3 == 1) != (n / 3 == 1) ? -1 : 1) * (n == 4 ? 0 : 1);
   }
-  const TargetDistance d = computeTargetDistance(bumped, targets, closestPointsOf(Plane()));
+  const TargetDistance d = computeTargetDistance(bumped, targets, plane());
   EXPECT_NEAR(d.maxPercent, 100 * 0.01 / std::sqrt(2.0), 0.01);
   EXPECT_NEAR(d.rmsPercent, 100 * 0.01 * std::sqrt(8.0 / 9) / std::sqrt(2.0), 0.01);
+}
+
+TEST(TargetDistance, SpreadsAreOfTheSameDistances) {
+  const Eigen::Matrix3Xd targets = planePoints(5);
+  Eigen::Matrix3Xd slid = targets;
+  slid.col(12) += Eigen::Vector3d(0.05, -0.02, 0.01);
+  const TargetDistance d = computeTargetDistance(slid, targets, plane());
+  EXPECT_NEAR(10 * d.spread.binPercent, d.maxPercent, 1e-12);
+  EXPECT_NEAR(10 * d.closestPointSpread.binPercent, d.closestPointMaxPercent, 1e-12);
+  EXPECT_EQ(d.spread.counts[0], 24);
+  EXPECT_EQ(d.spread.counts[9], 1);
+  EXPECT_LT(d.spread.medianPercent, d.rmsPercent);
+  EXPECT_EQ(d.closestPointSpread.percentile99, d.closestPointMaxPercent);
 }
 
 TEST(StrutErrors, VanishOnlyAtRest) {
@@ -73,16 +90,6 @@ TEST(StrutErrors, VanishOnlyAtRest) {
     return shrink / (1 - shrink);
   };
   EXPECT_NEAR(errors.lbPercent, 100 * 3 * (2 * excess(0.4) + 0) / 17, 1e-10);
-}
-
-TEST(Shrink, IsAgainstThePrintedLength) {
-  const GridDesign design = designFromBendAngles({3, 2, 3, 0.2, 1, 0.5, 0.1, 0, 0});
-  const Eigen::Matrix3Xd printed = inPlaneGrid(design, {}, Scaling::normalised).positions;
-  const StrutGrid grid = stackedGrid(design, {}, Scaling::normalised, printed);
-  const double largest = 2 * 0.4 * std::sin(0.25);
-  EXPECT_NEAR(computeShrink(grid, 0.1).largestPercent, 100 * largest, 1e-12);
-  EXPECT_EQ(computeShrink(grid, largest).strutsOverLimit, 0);
-  EXPECT_EQ(computeShrink(grid, largest - 1e-6).strutsOverLimit, 3);  // one u strut a row, on top
 }
 
 }  // namespace

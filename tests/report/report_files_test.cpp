@@ -36,7 +36,9 @@ RunRecord sampleRecord() {
   record.full = stage;
   record.errors = {1, 2, 3};
   record.distance = {4, 5, 6, 7};
-  record.shrink = {31, 0};
+  record.distance->spread = {3.5, 4.5, 4.75, 0.5, {2, 1, 0, 0, 0, 0, 0, 0, 0, 1}};
+  record.shrink = ShrinkFigures{{31, 0, 2, 0, 0}, {{31, 0, 2, 0, 0}, {}}};
+  record.feasibility = Feasibility{};
   return record;
 }
 
@@ -44,7 +46,7 @@ TEST(ReportJson, HoldsAllKeysAndRoundTrips) {
   const auto json = nlohmann::json::parse(toJson(sampleRecord()));
   for (const char* key :
        {"scene", "method", "scaling", "device", "seconds_total", "grid", "measurement", "in_plane",
-        "full", "errors", "distance_to_target", "shrink"}) {
+        "full", "errors", "distance_to_target", "shrink", "feasibility"}) {
     EXPECT_TRUE(json.contains(key)) << key;
   }
   EXPECT_EQ(json["grid"]["nodes_u"], 17);
@@ -76,6 +78,45 @@ TEST(ReportJson, GivesTheSmallestEigenvalueOnRequest) {
   record.full->converged = false;
   json = nlohmann::json::parse(toJson(record));
   EXPECT_EQ(json["full"]["smallest_eigenvalue"]["verdict"], "undecided");
+}
+
+TEST(ReportJson, TellsHowDistancesAndShrinkAreSpread) {
+  const auto json = nlohmann::json::parse(toJson(sampleRecord()));
+  const auto& distance = json["distance_to_target"];
+  EXPECT_EQ(distance["median_percent"], 3.5);
+  EXPECT_EQ(distance["percentile_90_percent"], 4.5);
+  EXPECT_EQ(distance["percentile_99_percent"], 4.75);
+  EXPECT_EQ(distance["histogram"]["bin_percent"], 0.5);
+  EXPECT_EQ(distance["histogram"]["counts"],
+            nlohmann::json::parse("[2, 1, 0, 0, 0, 0, 0, 0, 0, 1]"));
+  EXPECT_EQ(distance["closest_point_histogram"]["counts"].size(), 10u);
+  EXPECT_EQ(json["shrink"]["struts_at_limit"], 2);
+  EXPECT_EQ(json["shrink"]["struts_growing"], 0);
+  EXPECT_EQ(json["shrink"]["layers"].size(), 2u);
+  EXPECT_EQ(json["shrink"]["layers"][0]["largest_percent"], 31);
+}
+
+TEST(ReportJson, NamesThePlacesOfWhatIsWrong) {
+  RunRecord record = sampleRecord();
+  auto json = nlohmann::json::parse(toJson(record))["feasibility"];
+  EXPECT_EQ(json["inverted_cells"], 0);
+  EXPECT_EQ(json["self_intersecting_cells"], 0);
+  EXPECT_TRUE(json["first_self_intersection"].is_null());
+  EXPECT_TRUE(json["close_struts"].is_null()) << "not asked for";
+  record.feasibility->cells = {3, 4, -0.5, {5, 6, 2}};
+  record.feasibility->selfIntersection = {7, {8, 9, 1}};
+  record.feasibility->closeStruts = CloseStruts{0.25, 0, 0.25, {}};
+  json = nlohmann::json::parse(toJson(record))["feasibility"];
+  EXPECT_EQ(json["collapsed_cells"], 4);
+  EXPECT_EQ(json["smallest_relative_area"], -0.5);
+  EXPECT_EQ(json["smallest_cell"], nlohmann::json::parse("[5, 6, 2]"));
+  EXPECT_EQ(json["first_self_intersection"], nlohmann::json::parse("[8, 9, 1]"));
+  EXPECT_EQ(json["close_struts"]["count"], 0);
+  EXPECT_TRUE(json["close_struts"]["smallest_clearance"].is_null()) << "none is close";
+  record.feasibility->closeStruts = CloseStruts{0.25, 2, 0.125, {1, 2, 0}};
+  json = nlohmann::json::parse(toJson(record))["feasibility"];
+  EXPECT_EQ(json["close_struts"]["smallest_clearance"], 0.125);
+  EXPECT_EQ(json["close_struts"]["closest"], nlohmann::json::parse("[1, 2, 0]"));
 }
 
 TEST(ReportJson, ListsTheCutoffs) {
@@ -128,6 +169,21 @@ TEST(ReportTable, ShowsThePaperBesideOursWhereItHasFigures) {
   record.published = paper;
   EXPECT_THAT(toTable(record), HasSubstr("paper Fig. 4"));
   EXPECT_THAT(toTable(record), HasSubstr("7.55 %"));
+}
+
+TEST(ReportTable, SpeaksOfFeasibilityWhereSomethingIsWrong) {
+  RunRecord record = sampleRecord();
+  record.shrink->strutsAtLimit = 0;
+  for (const char* row :
+       {"at the limit", "must grow", "inverted", "collapsed", "self-intersecting", "too close"}) {
+    EXPECT_THAT(toTable(record), testing::Not(HasSubstr(row)));
+  }
+  record.shrink->strutsGrowing = 5;
+  record.feasibility->cells.inverted = 3;
+  record.feasibility->selfIntersection.cells = 2;
+  EXPECT_THAT(toTable(record), HasSubstr("  struts that must grow                  5\n"
+                                         "  inverted cells                         3\n"
+                                         "  self-intersecting cells                2\n"));
 }
 
 TEST(ReportTable, OfACheckListsTheCutoffs) {

@@ -1,0 +1,48 @@
+#include "surface/embree_neighbourhood.h"
+
+#include <limits>
+
+namespace morphgrid {
+namespace {
+
+struct Visit {
+  const EmbreeNeighbourhood::Visitor& visitor;
+  double rounding;
+
+  /// Never too small for what was asked.
+  float queryRadius(double radius) const {
+    return static_cast<float>((radius + rounding) * (1 + 1e-6));
+  }
+};
+
+/// Embree calls this for every triangle in reach; true tells it that the radius has shrunk.
+bool visitTriangle(RTCPointQueryFunctionArguments* arguments) {
+  const auto& visit = *static_cast<const Visit*>(arguments->userPtr);
+  const double radius = visit.visitor(static_cast<int>(arguments->primID));
+  const float queryRadius = visit.queryRadius(radius);
+  const bool shrunk = queryRadius < arguments->query->radius;
+  arguments->query->radius = queryRadius;
+  return shrunk;
+}
+
+}  // namespace
+
+EmbreeNeighbourhood::EmbreeNeighbourhood(const Eigen::Matrix3Xd& vertices,
+                                         const Eigen::Matrix3Xi& triangles)
+    : mesh_(vertices.cast<float>(), triangles),
+      rounding_(4 * std::numeric_limits<float>::epsilon() * vertices.cwiseAbs().maxCoeff()) {}
+
+void EmbreeNeighbourhood::visit(const Eigen::Vector3d& point, double radius,
+                                const Visitor& visitor) const {
+  Visit visit{visitor, rounding_};
+  RTCPointQueryContext context;
+  rtcInitPointQueryContext(&context);
+  RTCPointQuery query{};
+  query.x = static_cast<float>(point.x());
+  query.y = static_cast<float>(point.y());
+  query.z = static_cast<float>(point.z());
+  query.radius = visit.queryRadius(radius);
+  rtcPointQuery(mesh_.scene(), &query, &context, visitTriangle, &visit);
+}
+
+}  // namespace morphgrid
