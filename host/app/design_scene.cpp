@@ -4,7 +4,7 @@
 
 #include "app/mesh_sampler.h"
 #include "core/error.h"
-#include "measure/mesh_measurement.h"
+#include "measure/lattice_measurement.h"
 
 namespace morphgrid {
 namespace {
@@ -32,12 +32,12 @@ SceneDesign designFromSurface(const Surface& surface, const DesignRequest& reque
 SceneDesign designFromMesh(const MeshTarget& target, const DesignRequest& request) {
   MeshSampler sampler(target);
   RayHits hits = sampler.cast(target.samplesU, target.samplesV);
-  const MeshSurvey survey = surveyMesh(hits, target.smoothingWidth);
+  const LatticeSurvey survey = surveyLattice(hits.lattice(), target.smoothingWidth);
   const GridSize size = chooseGridSize(survey.survey, request);
   const RayHits vertexHits = sampler.cast(size.nodesU + 1, size.nodesV + 1);
   SceneDesign designed =
       designMeasured(survey.survey, request, size,
-                     measureMesh(vertexHits, size.curvatureLimit, target.smoothingWidth));
+                     measureLattice(vertexHits.lattice(), size.curvatureLimit, target.smoothingWidth));
   designed.measurement->curvatureNoise = survey.curvatureNoise;
   designed.sampling = MeshSampling{std::move(hits), sampler.figures()};
   return designed;
