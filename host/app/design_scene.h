@@ -13,6 +13,7 @@ struct MeshSampling {
 struct SceneDesign {
   GridDesign design;
   std::optional<MeasurementFigures> measurement;  ///< Not for grids given by bend angles.
+  std::optional<NetFigures> net;                  ///< As above.
   std::optional<Eigen::Matrix3Xd> targets;  ///< Of the middle layer's vertices, in index order.
   std::optional<MeshSampling> sampling;     ///< Only of meshes.
   std::vector<std::string> notices;         ///< What was clamped or overridden.

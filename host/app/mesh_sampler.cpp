@@ -4,12 +4,16 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 
 #include "core/error.h"
 #include "surface/ray_hits.h"
 
 namespace morphgrid {
 namespace {
+
+/// How far to either side normals look, in shares of the box.
+constexpr double kNormalReach = 0.02;
 
 template <typename Work>
 auto timed(double& seconds, Work work) {
@@ -27,6 +31,19 @@ std::string inWords(const SamplingBox& box) {
 std::string inWords(const Hole& hole) {
   return fmt::format("{} {} at u {:.4g} to {:.4g}, v {:.4g} to {:.4g}", hole.rays,
                      hole.rays == 1 ? "ray" : "rays", hole.uMin, hole.uMax, hole.vMin, hole.vMax);
+}
+
+/// x of a lattice, bilinear between its points; parameters in [0, 1].
+double interpolateX(const RayHits& lattice, const Eigen::Vector2d& parameters) {
+  const double u = parameters.x() * (lattice.countU - 1);
+  const double v = parameters.y() * (lattice.countV - 1);
+  const int i = std::min(static_cast<int>(u), lattice.countU - 2);
+  const int j = std::min(static_cast<int>(v), lattice.countV - 2);
+  const auto alongU = [&](int row) {
+    return std::lerp(lattice.points(0, lattice.index(i, row)),
+                     lattice.points(0, lattice.index(i + 1, row)), u - i);
+  };
+  return std::lerp(alongU(j), alongU(j + 1), v - j);
 }
 
 }  // namespace
@@ -52,6 +69,45 @@ RayHits MeshSampler::cast(int countU, int countV) {
   requireHits(hits);
   requireGentleSteps(hits);
   return hits;
+}
+
+Eigen::Matrix3Xd MeshSampler::castThrough(const Eigen::Matrix2Xd& parameters,
+                                          const RayHits& lattice) {
+  const SamplingBox& box = target_.box;
+  const Eigen::Matrix2Xd places =
+      (Eigen::Vector2d(box.uLength, box.vLength).asDiagonal() * parameters).colwise() +
+      Eigen::Vector2d(box.uStart, box.vStart);
+  Eigen::Matrix3Xd points =
+      timed(figures_.secondsRays, [&] { return caster_.castThrough(places); });
+  figures_.rays += static_cast<int>(points.cols());
+  for (Eigen::Index n = 0; n < points.cols(); ++n) {
+    if (!std::isnan(points(0, n))) continue;
+    ++figures_.missed;
+    if (target_.fillHoles <= 0) {
+      throw InputError(fmt::format(
+          "a ray of the net misses {} at u {:.6g}, v {:.6g}, in a hole between the rays "
+          "sampled before; {}; or let surface.fill_holes close it",
+          figures_.file, places(0, n), places(1, n), boxAdvice()));
+    }
+    points(0, n) = interpolateX(lattice, parameters.col(n));
+  }
+  return points;
+}
+
+Eigen::Matrix3Xd MeshSampler::normals(const Eigen::Matrix2Xd& parameters, const RayHits& lattice) {
+  const auto shifted = [&](double u, double v) {
+    const Eigen::Vector2d shift(u, v);
+    const Eigen::Matrix2Xd moved = parameters.colwise() + shift;
+    return castThrough(moved.cwiseMax(0).cwiseMin(1), lattice);
+  };
+  const Eigen::Matrix3Xd alongU = shifted(kNormalReach, 0) - shifted(-kNormalReach, 0);
+  const Eigen::Matrix3Xd alongV = shifted(0, kNormalReach) - shifted(0, -kNormalReach);
+  Eigen::Matrix3Xd normals(3, parameters.cols());
+  for (Eigen::Index n = 0; n < normals.cols(); ++n) {
+    const Eigen::Vector3d u = alongU.col(n);
+    normals.col(n) = u.cross(alongV.col(n)).normalized();
+  }
+  return normals;
 }
 
 void MeshSampler::requireHits(const RayHits& hits) const {

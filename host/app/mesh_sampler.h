@@ -14,6 +14,14 @@ class MeshSampler {
   /// with advice when rays miss all the same or a step is too steep.
   RayHits cast(int countU, int countV);
 
+  /// The hits of rays through the parameters, 2 x n in [0, 1]^2 of the box. Where holes may be
+  /// filled, misses lie on `lattice`, an earlier cast; otherwise they are an InputError.
+  Eigen::Matrix3Xd castThrough(const Eigen::Matrix2Xd& parameters, const RayHits& lattice);
+
+  /// Unit normals p_u x p_v at the parameters, 3 x n: central differences over 4 % of the box,
+  /// which smooth the facets; one-sided at its edges. `lattice` as above.
+  Eigen::Matrix3Xd normals(const Eigen::Matrix2Xd& parameters, const RayHits& lattice);
+
   /// Of all rays so far.
   const MeshFigures& figures() const { return figures_; }
 

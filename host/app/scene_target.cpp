@@ -42,7 +42,8 @@ std::optional<SurfaceKind> readKind(TomlSection& surface) {
   return kind;
 }
 
-void rejectKeysOfOtherKinds(SurfaceKind kind, TomlSection& surface, TomlSection& grid) {
+void rejectKeysOfOtherKinds(SurfaceKind kind, TomlSection& surface, TomlSection& grid,
+                            TomlSection& design) {
   struct KindKeys {
     std::vector<SurfaceKind> kinds;
     TomlSection& section;
@@ -55,6 +56,7 @@ void rejectKeysOfOtherKinds(SurfaceKind kind, TomlSection& surface, TomlSection&
       {{bendAngles}, surface, {"theta_u", "theta_v", "spacing"}},
       {{bezier, mesh}, grid, {"nodes_long", "curvature_cutoff"}},
       {{bendAngles}, grid, {"nodes_u", "nodes_v"}},
+      {{bezier, mesh}, design, {"net", "reference", "max_strut_ratio"}},
   };
   for (const auto& [kinds, section, keys] : all) {
     if (std::find(kinds.begin(), kinds.end(), kind) != kinds.end()) continue;
@@ -81,7 +83,7 @@ std::shared_ptr<const Surface> readPatchOfScene(TomlReader& reader, const TomlSe
   }
 }
 
-DesignRequest readDesign(TomlSection& grid) {
+DesignRequest readDesign(TomlSection& grid, TomlSection& section) {
   const IntegerRange count{1, std::numeric_limits<int>::max()};
   DesignRequest design;
   design.layers = static_cast<int>(grid.integer("layers", {1, 64}).value_or(design.layers));
@@ -92,6 +94,16 @@ DesignRequest readDesign(TomlSection& grid) {
   design.curvatureCutoff =
       grid.number("curvature_cutoff", aboveUpTo(0, 1)).value_or(design.curvatureCutoff);
   design.strutThickness = grid.number("strut_thickness", above(0));
+  design.net = section
+                   .choice<NetKind>("net", {{nameOf(NetKind::isoline), NetKind::isoline},
+                                            {nameOf(NetKind::orthogonal), NetKind::orthogonal}})
+                   .value_or(design.net);
+  design.reference =
+      section
+          .choice<Reference>("reference",
+                             {{"convex", Reference::convex}, {"middle", Reference::middle}})
+          .value_or(design.net == NetKind::isoline ? Reference::convex : Reference::middle);
+  design.maxStrutRatio = section.number("max_strut_ratio", above(1));
   return design;
 }
 
@@ -133,13 +145,14 @@ void checkVertexCount(TomlReader& reader, const TomlSection& grid, std::string_v
 SceneTarget readSceneTarget(TomlReader& reader, const std::filesystem::path& folder) {
   TomlSection surface = reader.section("surface");
   TomlSection grid = reader.section("grid");
+  TomlSection designSection = reader.section("design");
   const std::optional<SurfaceKind> kind = readKind(surface);
-  if (kind) rejectKeysOfOtherKinds(*kind, surface, grid);
+  if (kind) rejectKeysOfOtherKinds(*kind, surface, grid, designSection);
 
   // All keys are read whatever the kind is: that finds every problem, and all names are known.
   const std::optional<std::string> patch = surface.text("patch");
   MeshKeys meshKeys = readMeshKeys(surface);
-  const DesignRequest design = readDesign(grid);
+  const DesignRequest design = readDesign(grid, designSection);
   const BendAngleRequest bendAngles = readBendAngles(surface, grid, design);
 
   SceneTarget target{.design = design};

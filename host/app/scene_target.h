@@ -8,7 +8,7 @@
 
 namespace morphgrid {
 
-/// What a scene asks for: [surface] and [grid], whose keys depend on the kind of surface.
+/// What a scene asks for: [surface], [grid] and [design], whose keys depend on the kind of surface.
 struct SceneTarget {
   std::shared_ptr<const Surface> surface;
   std::shared_ptr<const MeshTarget> mesh;

@@ -4,6 +4,31 @@
 
 namespace morphgrid {
 
+/// The strut from vertex (i, j) to the next along u or v.
+struct LateralStrut {
+  bool alongU;
+  int i;
+  int j;
+
+  int toI() const { return alongU ? i + 1 : i; }
+  int toJ() const { return alongU ? j : j + 1; }
+};
+
+/// visit(LateralStrut) for all struts of a layer of nodesU x nodesV nodes, those along u first.
+template <typename Visit>
+void forEachLateralStrut(int nodesU, int nodesV, Visit visit) {
+  for (int j = 0; j <= nodesV; ++j) {
+    for (int i = 0; i < nodesU; ++i) {
+      visit(LateralStrut{true, i, j});
+    }
+  }
+  for (int j = 0; j < nodesV; ++j) {
+    for (int i = 0; i <= nodesU; ++i) {
+      visit(LateralStrut{false, i, j});
+    }
+  }
+}
+
 /// One value per lateral strut of a layer of nodesU x nodesV nodes.
 /// u struts: nodesU x (nodesV+1) of them, along +u; v struts: (nodesU+1) x nodesV, along +v.
 template <typename T>
@@ -25,6 +50,13 @@ class LateralField {
   /// The strut from vertex (i, j) to (i, j+1); 0 <= i <= nodesU, 0 <= j < nodesV.
   T& v(int i, int j) { return v_[indexV(i, j)]; }
   const T& v(int i, int j) const { return v_[indexV(i, j)]; }
+
+  T& at(const LateralStrut& strut) {
+    return strut.alongU ? u(strut.i, strut.j) : v(strut.i, strut.j);
+  }
+  const T& at(const LateralStrut& strut) const {
+    return strut.alongU ? u(strut.i, strut.j) : v(strut.i, strut.j);
+  }
 
   const std::vector<T>& allU() const { return u_; }
   const std::vector<T>& allV() const { return v_; }

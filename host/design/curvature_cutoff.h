@@ -2,7 +2,7 @@
 #include <optional>
 #include <vector>
 
-#include "design/grid_design.h"
+#include "design/grid_size.h"
 
 namespace morphgrid {
 

@@ -7,80 +7,20 @@
 #include <limits>
 
 #include "core/error.h"
-#include "design/curvature_cutoff.h"
 
 namespace morphgrid {
 namespace {
 
-/// Eq. 22: the shorter direction gets its share of nodes, rounded up.
-int shorterNodes(int nodesLong, double aspect) {
-  // A hair of tolerance: an aspect of exactly 2 must not turn 20 / 2 into 11.
-  return std::max(1, static_cast<int>(std::ceil(nodesLong / aspect * (1 - 1e-12))));
-}
-
-/// Eq. 23 may raise the node count, but not to where one crease of the surface makes a grid that
-/// nobody asked for and no machine solves.
-constexpr int kMostNodesRaisedTo = 2000;
-
-/// Which cutoff would leave the layer spacing and the nodes as asked for.
-std::string cutoffAdvice(const SurfaceSurvey& survey, const DesignRequest& request) {
-  const std::optional<double> cutoff = suggestCutoff(survey, request);
-  if (!cutoff) {
-    return "no grid.curvature_cutoff would do";
-  }
-  return fmt::format(
-      "grid.curvature_cutoff = {:g} would do, capping curvature to {:.4g} (`morphgrid check` lists "
-      "others)",
-      *cutoff, curvatureAtCutoff(survey, *cutoff));
-}
-
-void requireFewEnough(const CutoffConsequence& needed, const SurfaceSurvey& survey,
-                      const DesignRequest& request) {
-  if (needed.fewestNodes > std::max(request.nodesLong, kMostNodesRaisedTo)) {
-    const std::optional<double> cutoff = suggestCutoff(survey, request);
-    throw InputError(fmt::format(
-        "curvature {:.4g} needs at least {:.4g} nodes along an isoline of length {:.4g} (Eq. 23); "
-        "nodes are raised to at most {}: lower grid.curvature_cutoff{}, ask for as many in "
-        "grid.nodes_long, or smooth the surface",
-        needed.curvatureLimit, needed.fewestNodes,
-        std::max(survey.longestIsolineU, survey.longestIsolineV), kMostNodesRaisedTo,
-        cutoff ? fmt::format(" to {:g}", *cutoff) : ""));
-  }
-}
-
-/// Strut counts, the largest, must fit into an int.
-void requireCountable(const GridSize& size, int layers) {
-  const double vertices = (size.nodesU + 1.0) * (size.nodesV + 1.0) * layers;
-  const double limit = std::numeric_limits<int>::max() / 3.0;
-  if (vertices > limit) {
-    throw InputError(
-        fmt::format("{} x {} nodes in {} layers are {:.3g} vertices, at most {:.3g} can be "
-                    "numbered; ask for fewer nodes or layers",
-                    size.nodesU, size.nodesV, layers, vertices, limit));
-  }
-}
-
 /// Every strut needs a length, or it cannot be printed.
 void requireLengths(const LateralField<double>& lengths, double longest) {
-  const auto require = [&](double length, const char* direction, int i, int j) {
-    if (!(length > 1e-9 * longest)) {
+  forEachLateralStrut(lengths.nodesU(), lengths.nodesV(), [&](const LateralStrut& strut) {
+    if (!(lengths.at(strut) > 1e-9 * longest)) {
       throw InputError(
           fmt::format("the {} strut at node ({}, {}) has no length ({:.3g}): the surface is "
-                      "collapsed there; move "
-                      "the control points that coincide apart",
-                      direction, i, j, length));
+                      "collapsed there; move the control points that coincide apart",
+                      strut.alongU ? "u" : "v", strut.i, strut.j, lengths.at(strut)));
     }
-  };
-  for (int j = 0; j <= lengths.nodesV(); ++j) {
-    for (int i = 0; i < lengths.nodesU(); ++i) {
-      require(lengths.u(i, j), "u", i, j);
-    }
-  }
-  for (int j = 0; j < lengths.nodesV(); ++j) {
-    for (int i = 0; i <= lengths.nodesU(); ++i) {
-      require(lengths.v(i, j), "v", i, j);
-    }
-  }
+  });
 }
 
 double largest(const LateralField<double>& field) {
@@ -97,47 +37,67 @@ double bendAngle(double length, double curvature, int& clamped) {
   return 2 * std::asin(std::clamp(sine, -1.0, 1.0));
 }
 
-}  // namespace
-
-GridSize chooseGridSize(const SurfaceSurvey& survey, const DesignRequest& request) {
-  const CutoffConsequence needed = consequenceOf(request.curvatureCutoff, survey, request);
-  GridSize size{};
-  size.curvatureLimit = needed.curvatureLimit;
-  if (size.curvatureLimit < survey.largestCurvature()) {
-    size.notices.push_back(fmt::format(
-        "curvature is capped to {:.4g}, the cutoff p = {:g} of its samples (largest: {:.4g})",
-        size.curvatureLimit, request.curvatureCutoff, survey.largestCurvature()));
+/// Eq. 25 in every layer.
+void setRestOfConvexSides(GridDesign& design) {
+  for (int k = 0; k < design.layers; ++k) {
+    LateralField<double> layer(design.nodesU, design.nodesV);
+    forEachLateralStrut(design.nodesU, design.nodesV, [&](const LateralStrut& strut) {
+      layer.at(strut) = restLength(design.lengths.at(strut), design.bendAngles.at(strut),
+                                   design.layerSpacing, k, design.layers);
+    });
+    design.rest.push_back(std::move(layer));
   }
-
-  size.layerSpacingLimit = needed.layerSpacingLimit;
-  size.layerSpacing = std::min(request.layerSpacing, size.layerSpacingLimit);
-  if (size.layerSpacing < request.layerSpacing) {
-    size.notices.push_back(
-        fmt::format("layer spacing {:g} is clamped to {:.4g}: curvature {:.4g} with {} layers "
-                    "would need more than {:g} % shrinkage (Eq. 21); {}",
-                    request.layerSpacing, size.layerSpacing, size.curvatureLimit, request.layers,
-                    100 * request.maxShrinkage, cutoffAdvice(survey, request)));
-  }
-
-  requireFewEnough(needed, survey, request);
-  const bool uIsLonger = survey.longestIsolineU >= survey.longestIsolineV;
-  const double longer = std::max(survey.longestIsolineU, survey.longestIsolineV);
-  const double aspect = longer / std::min(survey.longestIsolineU, survey.longestIsolineV);
-  size.fewestNodes = static_cast<int>(needed.fewestNodes);
-  const int nodesLong = std::max(request.nodesLong, size.fewestNodes);
-  const int nodesShort = shorterNodes(nodesLong, aspect);
-  size.nodesU = uIsLonger ? nodesLong : nodesShort;
-  size.nodesV = uIsLonger ? nodesShort : nodesLong;
-  requireCountable(size, request.layers);
-  if (nodesLong > request.nodesLong) {
-    size.notices.push_back(fmt::format(
-        "{} nodes on the long edge are raised to {} ({} x {}): a strut may span at most a half "
-        "circle of radius {:.4g} (Eq. 23); {}",
-        request.nodesLong, nodesLong, size.nodesU, size.nodesV, 1 / size.curvatureLimit,
-        cutoffAdvice(survey, request)));
-  }
-  return size;
 }
+
+/// The surfaces at constant distances from the target, along its normals.
+class OffsetSurfaces {
+ public:
+  OffsetSurfaces(const SurfaceMeasurement& measurement, const Eigen::Matrix3Xd& normals)
+      : measurement_(measurement), normals_(normals) {}
+
+  LateralField<double> chords(double height) const {
+    LateralField<double> chords(measurement_.nodesU, measurement_.nodesV);
+    forEachLateralStrut(chords.nodesU(), chords.nodesV(), [&](const LateralStrut& strut) {
+      chords.at(strut) =
+          (along(measurement_.points, strut) + height * along(normals_, strut)).norm();
+    });
+    return chords;
+  }
+
+  /// Throws InputError when a strut would run backwards, or have no length, at `outermost` above or
+  /// below: that is beyond the surface's centre of curvature.
+  void requireStruts(double outermost, double layerSpacing) const {
+    double smallest = std::numeric_limits<double>::infinity();
+    LateralStrut tightest{};
+    forEachLateralStrut(measurement_.nodesU, measurement_.nodesV, [&](const LateralStrut& strut) {
+      const Eigen::Vector3d chord = along(measurement_.points, strut);
+      const double radius = chord.squaredNorm() / std::abs(chord.dot(along(normals_, strut)));
+      if (radius < smallest) {
+        smallest = radius;
+        tightest = strut;
+      }
+    });
+    if (outermost < smallest) return;
+    const Eigen::Vector3d point = measurement_.points.col(vertex(tightest.i, tightest.j));
+    throw InputError(fmt::format(
+        "the {} strut at node ({}, {}), at ({:.4g}, {:.4g}, {:.4g}), has no length left in the "
+        "outermost layer: the surface's radius there is {:.4g}; grid.layer_spacing must be below "
+        "{:.4g}, got {:.4g}",
+        tightest.alongU ? "u" : "v", tightest.i, tightest.j, point.x(), point.y(), point.z(),
+        smallest, layerSpacing * smallest / outermost, layerSpacing));
+  }
+
+ private:
+  int vertex(int i, int j) const { return j * (measurement_.nodesU + 1) + i; }
+  Eigen::Vector3d along(const Eigen::Matrix3Xd& values, const LateralStrut& strut) const {
+    return values.col(vertex(strut.toI(), strut.toJ())) - values.col(vertex(strut.i, strut.j));
+  }
+
+  const SurfaceMeasurement& measurement_;
+  const Eigen::Matrix3Xd& normals_;
+};
+
+}  // namespace
 
 GridDesign designGrid(const SurfaceMeasurement& measurement, const GridSize& size, int layers) {
   const int nodesU = measurement.nodesU;
@@ -149,27 +109,45 @@ GridDesign designGrid(const SurfaceMeasurement& measurement, const GridSize& siz
                     largest(measurement.chords),
                     measurement.chords,
                     LateralField<double>(nodesU, nodesV),
+                    {},
                     {}};
   requireLengths(design.lengths, design.spacing);
   int clamped = 0;
-  for (int j = 0; j <= nodesV; ++j) {
-    for (int i = 0; i < nodesU; ++i) {
-      design.bendAngles.u(i, j) =
-          bendAngle(measurement.chords.u(i, j), measurement.curvatures.u(i, j), clamped);
-    }
-  }
-  for (int j = 0; j < nodesV; ++j) {
-    for (int i = 0; i <= nodesU; ++i) {
-      design.bendAngles.v(i, j) =
-          bendAngle(measurement.chords.v(i, j), measurement.curvatures.v(i, j), clamped);
-    }
-  }
+  forEachLateralStrut(nodesU, nodesV, [&](const LateralStrut& strut) {
+    design.bendAngles.at(strut) =
+        bendAngle(measurement.chords.at(strut), measurement.curvatures.at(strut), clamped);
+  });
+  setRestOfConvexSides(design);
   if (clamped > 0) {
     design.notices.push_back(fmt::format(
         "{} struts are longer than the diameter of their circle of curvature; their bend angle is "
         "clamped to pi (Eq. 24)",
         clamped));
   }
+  return design;
+}
+
+GridDesign designOnOffsets(const SurfaceMeasurement& measurement, const Eigen::Matrix3Xd& normals,
+                           const GridSize& size, int layers) {
+  const int nodesU = measurement.nodesU;
+  const int nodesV = measurement.nodesV;
+  const LateralField<double> zero(nodesU, nodesV);
+  GridDesign design{nodesU, nodesV, layers, size.layerSpacing, 0, zero, zero, {}, {}};
+  const OffsetSurfaces surfaces(measurement, normals);
+  const double outermost = (layers - 1) / 2.0 * size.layerSpacing;
+  requireLengths(measurement.chords, largest(measurement.chords));
+  surfaces.requireStruts(outermost, size.layerSpacing);
+  for (int k = 0; k < layers; ++k) {
+    design.rest.push_back(surfaces.chords(k * size.layerSpacing - outermost));
+  }
+  forEachLateralStrut(nodesU, nodesV, [&](const LateralStrut& strut) {
+    const double bottom = design.rest.front().at(strut);
+    const double top = design.rest.back().at(strut);
+    design.lengths.at(strut) = std::max(bottom, top);
+    design.bendAngles.at(strut) =
+        layers > 1 ? 2 * std::asin(std::clamp((bottom - top) / (4 * outermost), -1.0, 1.0)) : 0;
+  });
+  design.spacing = largest(design.lengths);
   return design;
 }
 
@@ -183,6 +161,7 @@ GridDesign designFromBendAngles(const BendAngleRequest& request) {
                     request.spacing,
                     LateralField<double>(nodesU, nodesV, request.spacing),
                     LateralField<double>(nodesU, nodesV),
+                    {},
                     {}};
   const auto ramp = [](double first, double last, int strut, int count) {
     return count > 1 ? first + (last - first) * strut / (count - 1) : 0.5 * (first + last);
@@ -197,6 +176,7 @@ GridDesign designFromBendAngles(const BendAngleRequest& request) {
       design.bendAngles.v(i, j) = ramp(request.firstThetaV, request.lastThetaV, j, nodesV);
     }
   }
+  setRestOfConvexSides(design);
   const double shrink = largestBendShrink(design);
   if (shrink >= 1) {
     throw InputError(
@@ -215,14 +195,11 @@ double restLength(double length, double bendAngle, double layerSpacing, int laye
 
 double largestBendShrink(const GridDesign& design) {
   double shrink = 0;
-  const auto visit = [&](const std::vector<double>& lengths, const std::vector<double>& angles) {
-    for (std::size_t n = 0; n < lengths.size(); ++n) {
-      const double thickness = design.layerSpacing * (design.layers - 1);
-      shrink = std::max(shrink, 2 * thickness * std::sin(std::abs(angles[n]) / 2) / lengths[n]);
-    }
-  };
-  visit(design.lengths.allU(), design.bendAngles.allU());
-  visit(design.lengths.allV(), design.bendAngles.allV());
+  for (const LateralField<double>& layer : design.rest) {
+    forEachLateralStrut(design.nodesU, design.nodesV, [&](const LateralStrut& strut) {
+      shrink = std::max(shrink, 1 - layer.at(strut) / design.lengths.at(strut));
+    });
+  }
   return shrink;
 }
 

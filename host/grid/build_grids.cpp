@@ -28,23 +28,12 @@ StrutGrid emptyGrid(const GridDesign& design, int layers, const Weights& weights
           weights.angle};
 }
 
-/// rest(L0, theta, layer) for every lateral strut.
-template <typename Rest>
-void setLateralRest(StrutGrid& grid, const GridDesign& design, Rest rest) {
-  for (int k = 0; k < grid.shape.layers; ++k) {
-    for (int j = 0; j <= design.nodesV; ++j) {
-      for (int i = 0; i < design.nodesU; ++i) {
-        grid.rest.u[grid.shape.index(i, j, k)] =
-            rest(design.lengths.u(i, j), design.bendAngles.u(i, j), k);
-      }
-    }
-    for (int j = 0; j < design.nodesV; ++j) {
-      for (int i = 0; i <= design.nodesU; ++i) {
-        grid.rest.v[grid.shape.index(i, j, k)] =
-            rest(design.lengths.v(i, j), design.bendAngles.v(i, j), k);
-      }
-    }
-  }
+void setLateralRest(StrutGrid& grid, int layer, const LateralField<double>& rest) {
+  forEachLateralStrut(rest.nodesU(), rest.nodesV(), [&](const LateralStrut& strut) {
+    StrutValues& values = grid.rest;
+    (strut.alongU ? values.u : values.v)[grid.shape.index(strut.i, strut.j, layer)] =
+        rest.at(strut);
+  });
 }
 
 }  // namespace
@@ -57,7 +46,7 @@ StrutGrid inPlaneGrid(const GridDesign& design, const Weights& weights, Scaling 
           Eigen::Vector3d(i * design.spacing, j * design.spacing, 0);
     }
   }
-  setLateralRest(grid, design, [](double length, double, int) { return length; });
+  setLateralRest(grid, 0, design.lengths);
   setStiffness(grid, weights, scaling);
   return grid;
 }
@@ -71,10 +60,8 @@ StrutGrid stackedGrid(const GridDesign& design, const Weights& weights, Scaling 
     auto layer = grid.positions.middleCols(k * layerCount, layerCount);
     layer = printedLayer;
     layer.row(2).setConstant(k * design.layerSpacing);
+    setLateralRest(grid, k, design.rest[k]);
   }
-  setLateralRest(grid, design, [&](double length, double angle, int layer) {
-    return restLength(length, angle, design.layerSpacing, layer, design.layers);
-  });
   for (int index = 0; index < (shape.layers - 1) * layerCount; ++index) {
     grid.rest.w[index] = design.layerSpacing;
   }

@@ -19,7 +19,7 @@ struct Weights {
 /// One flat layer of square cells whose struts rest at L0 (paper, in-plane stage).
 StrutGrid inPlaneGrid(const GridDesign& design, const Weights& weights, Scaling scaling);
 
-/// The printed layer copied `layers` times at distance tau, rest lengths of Eqs. 24, 25.
+/// The printed layer copied `layers` times at distance tau, with the rest lengths of the design.
 /// printedLayer: (nodesU+1)(nodesV+1) columns, in the plane.
 StrutGrid stackedGrid(const GridDesign& design, const Weights& weights, Scaling scaling,
                       const Eigen::Matrix3Xd& printedLayer);

@@ -83,6 +83,22 @@ double curvatureAtCutoff(const SurfaceSurvey& survey, double cutoff) {
   return survey.sortedCurvatures[static_cast<std::size_t>(std::floor(last * cutoff))];
 }
 
+Eigen::Matrix3Xd pointsAt(const Surface& surface, const Eigen::Matrix2Xd& parameters) {
+  Eigen::Matrix3Xd points(3, parameters.cols());
+  for (Eigen::Index n = 0; n < points.cols(); ++n) {
+    points.col(n) = surface.point(parameters(0, n), parameters(1, n));
+  }
+  return points;
+}
+
+Eigen::Matrix3Xd normalsAt(const Surface& surface, const Eigen::Matrix2Xd& parameters) {
+  Eigen::Matrix3Xd normals(3, parameters.cols());
+  for (Eigen::Index n = 0; n < normals.cols(); ++n) {
+    normals.col(n) = surface.normal(parameters(0, n), parameters(1, n));
+  }
+  return normals;
+}
+
 SurfaceMeasurement measureSurface(const Surface& surface, int nodesU, int nodesV,
                                   double curvatureLimit) {
   SurfaceMeasurement measurement{nodesU, nodesV, LateralField<double>(nodesU, nodesV),

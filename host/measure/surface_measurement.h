@@ -36,6 +36,10 @@ SurfaceSurvey surveySurface(const Surface& surface);
 /// kappa_max: |kappa| sorted, at index floor((n-1) cutoff); cutoff in (0, 1].
 double curvatureAtCutoff(const SurfaceSurvey& survey, double cutoff);
 
+/// Points and unit normals of the surface at the parameters (u, v), 2 x n: 3 x n each.
+Eigen::Matrix3Xd pointsAt(const Surface& surface, const Eigen::Matrix2Xd& parameters);
+Eigen::Matrix3Xd normalsAt(const Surface& surface, const Eigen::Matrix2Xd& parameters);
+
 /// Second pass, at node size: one length and curvature for each lateral strut.
 struct SurfaceMeasurement {
   int nodesU;
@@ -45,7 +49,7 @@ struct SurfaceMeasurement {
   Eigen::Matrix3Xd points;  ///< Target of each vertex of the middle layer, index j (nodesU+1) + i.
 };
 
-/// Every |kappa| sample is capped to curvatureLimit before the mean is taken.
+/// Along the isolines. Every |kappa| sample is capped to curvatureLimit before the mean is taken.
 SurfaceMeasurement measureSurface(const Surface& surface, int nodesU, int nodesV,
                                   double curvatureLimit);
 

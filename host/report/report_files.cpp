@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <numbers>
 
 namespace morphgrid {
 namespace {
@@ -69,6 +70,17 @@ ordered_json toJson(const MeshFigures& m) {
           {"largest_jump", m.largestJump},
           {"seconds_build", m.secondsBuild},
           {"seconds_rays", m.secondsRays}};
+}
+
+double degrees(double radians) { return radians * 180 / std::numbers::pi; }
+
+ordered_json toJson(const NetFigures& n) {
+  return {{"kind", nameOf(n.kind)},
+          {"modulus", number(n.modulus)},
+          {"blend", n.blend},
+          {"strut_ratio", number(n.quality.strutRatio)},
+          {"mean_angle_deviation_degrees", degrees(n.quality.meanAngleDeviation)},
+          {"largest_angle_deviation_degrees", degrees(n.quality.largestAngleDeviation)}};
 }
 
 ordered_json toJson(const GridFigures& g) {
@@ -206,6 +218,21 @@ void addMeasurement(Table& table, const RunRecord& record, const PublishedFigure
   }
 }
 
+void addNet(Table& table, const RunRecord& record) {
+  if (!record.net) {
+    return;
+  }
+  const NetFigures& n = *record.net;
+  table.row("net", nameOf(n.kind));
+  if (n.modulus) {
+    table.row("  modulus, blend", fmt::format("{:.4g}, {:.3g}", *n.modulus, n.blend));
+  }
+  table.row("  longest / shortest", fmt::format("{:.3g}", n.quality.strutRatio));
+  table.row("  off 90 deg, mean / max",
+            fmt::format("{:.1f} / {:.1f} deg", degrees(n.quality.meanAngleDeviation),
+                        degrees(n.quality.largestAngleDeviation)));
+}
+
 /// What other cutoffs would mean: advice for a design, so only where nothing is solved yet.
 void addCutoffs(Table& table, const RunRecord& record) {
   if (!record.measurement || record.inPlane) {
@@ -321,6 +348,7 @@ std::string toJson(const RunRecord& record) {
       {"device", record.device},
       {"seconds_total", record.secondsTotal},
       {"grid", toJson(record.grid)},
+      {"net", orNull(record.net)},
       {"mesh", orNull(record.mesh)},
       {"measurement", orNull(record.measurement)},
       {"in_plane", orNull(record.inPlane)},
@@ -354,6 +382,7 @@ std::string toTable(const RunRecord& record) {
   table.row("vertices, struts", fmt::format("{}, {}", g.shape.vertexCount(), g.shape.strutCount()));
   table.row("largest L_b shrink", fmt::format("{:.1f} %", g.bendShrinkPercent),
             ifAll("{:.1f} %", paper.bendShrinkPercent));
+  addNet(table, record);
   addCutoffs(table, record);
   addResults(table, record, paper);
   addStage(table, "in plane:", record.inPlane);

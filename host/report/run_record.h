@@ -47,11 +47,19 @@ struct MeshFigures {
   std::optional<SamplingBox> suggestedBox;  ///< One without holes, where there is one.
 };
 
+/// Where the grid's lines run on the target.
+struct NetFigures {
+  NetKind kind;
+  std::optional<double> modulus;  ///< Of the rectangle that the target maps to; v over u.
+  double blend;  ///< Share of the isolines that max_strut_ratio asked for, in [0, 1].
+  NetQuality quality;
+};
+
 /// The grid that the design chose.
 struct GridFigures {
   GridShape shape;
   double layerSpacing;
-  double bendShrinkPercent;  ///< The largest L_b shrink that the design asks for.
+  double bendShrinkPercent;  ///< The largest shrink between layers that the design asks for.
 };
 
 /// Everything that a run or a check has to tell; a check has no stages.
@@ -64,6 +72,7 @@ struct RunRecord {
   double secondsTotal = 0;
   GridFigures grid{};
   std::optional<MeasurementFigures> measurement;  ///< Not for grids given by bend angles.
+  std::optional<NetFigures> net;                  ///< Not for grids given by bend angles.
   std::optional<MeshFigures> mesh;                ///< Only for meshes.
   std::optional<Equilibrium> inPlane;
   std::optional<Equilibrium> full;  ///< Not for grids of one layer.

@@ -24,6 +24,8 @@ using Clock = std::chrono::steady_clock;
 constexpr double kCoarseTolerance = 1e-4;
 // The energy's predicted decrease varies from step to step; so many small ones count as the end.
 constexpr int kQuietSteps = 3;
+// The host's residual, in double precision, decides in the end: it must not be just above.
+constexpr double kResidualMargin = 0.98;
 // For the time left: what grids not yet begun will take.
 constexpr double kExpectedCycles = 20;
 // Energy, in stiffness x spacing^2 a vertex, that positions cannot tell from none.
@@ -191,7 +193,7 @@ StopReason descend(PreconditionedDescent& descent, const SolveOptions& options,
   for (;;) {
     // Of long, soft grids a small residual says little: the energy must have come to rest too.
     const bool isQuiet = fall.quietSteps() > 0 || options.energyTolerance == 0;
-    if (isQuiet && progress.residualOf(descent) <= options.tolerance) {
+    if (isQuiet && progress.residualOf(descent) <= kResidualMargin * options.tolerance) {
       return StopReason::residual;
     }
     if (fall.quietSteps() >= kQuietSteps) {

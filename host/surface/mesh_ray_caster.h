@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "surface/point_lattice.h"
 #include "surface/triangle_mesh.h"
 
 namespace morphgrid {
@@ -26,6 +27,7 @@ struct RayHits {
   std::vector<char> hit;    ///< 1 where the ray met the mesh.
 
   int index(int i, int j) const { return j * countU + i; }
+  PointLattice lattice() const { return {countU, countV, points}; }
   double uStep() const { return box.uLength / (countU - 1); }
   double vStep() const { return box.vLength / (countV - 1); }
   /// The place of ray (i, j); the last one is exactly uStart + uLength.

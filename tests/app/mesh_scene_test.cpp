@@ -6,6 +6,7 @@
 #include <functional>
 
 #include "app/design_scene.h"
+#include "app/mesh_sampler.h"
 #include "app/pipeline.h"
 #include "core/error.h"
 #include "tests/support/temporary_folder.h"
@@ -54,9 +55,14 @@ class MeshSceneFiles {
   }
 
   RunRecord check(const std::vector<std::string>& overrides = {}) const {
-    return checkScene(loadScene(scene_, overrides));
+    return checkScene(scene(overrides));
   }
-  SceneDesign design() const { return designScene(loadScene(scene_)); }
+  SceneDesign design(const std::vector<std::string>& overrides = {}) const {
+    return designScene(scene(overrides));
+  }
+  Scene scene(const std::vector<std::string>& overrides = {}) const {
+    return loadScene(scene_, overrides);
+  }
 
   std::string problems() const {
     try {
@@ -84,6 +90,52 @@ TEST(MeshScene, DesignsAGridOnTheMesh) {
   for (const double theta : designed.design.bendAngles.allU()) {
     EXPECT_GT(theta, 0);  // It curves towards +x, the normal of (u, v) = (y, z).
   }
+}
+
+TEST(MeshScene, DesignsAnOrthogonalGridOnTheMesh) {
+  // Turned by 45 degrees, the isolines of the saddle cross at other angles than 90.
+  const auto saddle = [](double y, double z) { return 0.4 * y * z; };
+  const MeshSceneFiles files(heightFieldObj(saddle));
+  const SceneDesign designed = files.design({"design.net=orthogonal"});
+  ASSERT_TRUE(designed.net);
+  EXPECT_NEAR(*designed.net->modulus, 1, 1e-3);
+  EXPECT_LT(designed.net->quality.meanAngleDeviation,
+            0.5 * files.design().net->quality.meanAngleDeviation);
+  for (const auto& point : designed.targets->colwise()) {
+    EXPECT_NEAR(point.x(), saddle(point.y(), point.z()), 0.002);
+  }
+  EXPECT_EQ(designed.targets->col(8), (*files.design().targets).col(8));  // A corner.
+}
+
+TEST(MeshScene, TheMiddleReferenceLooksAlongTheMeshesNormals) {
+  const MeshSceneFiles files(heightFieldObj(dome));
+  const GridDesign middle = files.design({"design.reference=middle"}).design;
+  const GridDesign convex = files.design().design;
+  // kappa = 0.4 along y in the middle of the box.
+  const double bend = 2 * std::asin(convex.lengths.u(4, 4) * 0.4 / 2);
+  EXPECT_NEAR(middle.bendAngles.u(4, 4), bend, 0.1 * bend);
+  EXPECT_EQ(middle.rest[0].u(4, 4), middle.lengths.u(4, 4));  // Curves towards the top.
+}
+
+TEST(MeshScene, HolesBetweenTheSampledRaysStopANetUnlessFilled) {
+  // One cell is missing; the lattice of 21 x 21 rays meets its rim only.
+  const MeshSceneFiles files(heightFieldObj(
+      dome, [](double y, double z) { return std::abs(y - 0.25) + std::abs(z - 0.25) < 0.01; }));
+  const Eigen::Vector2d inHole(0.62, 0.63);
+  const Scene open = files.scene();
+  MeshSampler strict(*open.mesh);
+  const RayHits hits = strict.cast(21, 21);
+  try {
+    strict.castThrough(inHole, hits);
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), AllOf(HasSubstr("misses"), HasSubstr("at u 0.24, v 0.26"),
+                                    HasSubstr("surface.fill_holes")));
+  }
+  const Scene filled = files.scene({"surface.fill_holes=0.5"});
+  const Eigen::Matrix3Xd points = MeshSampler(*filled.mesh).castThrough(inHole, hits);
+  EXPECT_NEAR(points(0, 0), dome(0.24, 0.26), 0.002);
+  EXPECT_NO_THROW(files.check({"surface.fill_holes=0.5", "design.net=orthogonal"}));
 }
 
 TEST(MeshScene, RecordsHowRaysSampledIt) {

@@ -11,78 +11,6 @@ namespace {
 
 using testing::HasSubstr;
 
-SurfaceSurvey survey(double lengthU, double lengthV, double curvature) {
-  return {lengthU, lengthV, curvature, 0, {0, curvature / 2, curvature}};
-}
-
-TEST(ChooseGridSize, GivesTheLongerDirectionTheNodes) {
-  const DesignRequest request{.layers = 3, .layerSpacing = 0.1, .nodesLong = 30};
-  const GridSize wide = chooseGridSize(survey(867.4, 735.1, 0), request);
-  EXPECT_EQ(wide.nodesU, 30);
-  EXPECT_EQ(wide.nodesV, 26);
-  const GridSize tall = chooseGridSize(survey(10, 20, 0), request);
-  EXPECT_EQ(tall.nodesU, 15);
-  EXPECT_EQ(tall.nodesV, 30);
-}
-
-TEST(ChooseGridSize, FlatSurfacesHaveNoLimits) {
-  const DesignRequest request{.layers = 3, .layerSpacing = 1e6, .nodesLong = 1};
-  const GridSize size = chooseGridSize(survey(2, 1, 0), request);
-  EXPECT_EQ(size.layerSpacing, 1e6);
-  EXPECT_TRUE(std::isinf(size.layerSpacingLimit));
-  EXPECT_EQ(size.fewestNodes, 1);
-  EXPECT_EQ(size.nodesU, 1);
-  EXPECT_EQ(size.nodesV, 1);
-  EXPECT_TRUE(size.notices.empty());
-}
-
-TEST(ChooseGridSize, ClampsTheLayerSpacingAndSaysSo) {
-  const DesignRequest request{
-      .layers = 3, .layerSpacing = 0.6, .nodesLong = 10, .maxShrinkage = 0.4};
-  const GridSize size = chooseGridSize(survey(2, 1, 0.5), request);
-  EXPECT_NEAR(size.layerSpacingLimit, 2 * 0.4 / 2, 1e-15);  // R maxShrinkage / (layers - 1)
-  EXPECT_EQ(size.layerSpacing, size.layerSpacingLimit);
-  ASSERT_EQ(size.notices.size(), 1u);
-  EXPECT_THAT(size.notices[0], HasSubstr("Eq. 21"));
-  EXPECT_THAT(size.notices[0],
-              HasSubstr("grid.curvature_cutoff = 0.99 would do, capping curvature to 0.25"));
-}
-
-TEST(ChooseGridSize, RaisesTooFewNodesAndSaysSo) {
-  const DesignRequest request{.layers = 1, .layerSpacing = 1, .nodesLong = 2};
-  const GridSize size = chooseGridSize(survey(20, 10, 0.9), request);
-  EXPECT_EQ(size.fewestNodes, 9);  // 20 / (2 / 0.9)
-  EXPECT_EQ(size.nodesU, 9);
-  EXPECT_EQ(size.nodesV, 5);
-  ASSERT_EQ(size.notices.size(), 1u);
-  EXPECT_THAT(size.notices[0], HasSubstr("Eq. 23"));
-  EXPECT_THAT(size.notices[0], HasSubstr("grid.curvature_cutoff = 0.49 would do"));
-}
-
-TEST(ChooseGridSize, SaysWhereNoCutoffWouldDo) {
-  const SurfaceSurvey sphere{2, 1, 0.5, 0.5, {0.5, 0.5, 0.5}};
-  const GridSize size = chooseGridSize(sphere, {.layerSpacing = 1, .nodesLong = 10});
-  ASSERT_EQ(size.notices.size(), 1u);
-  EXPECT_THAT(size.notices[0], HasSubstr("no grid.curvature_cutoff would do"));
-}
-
-TEST(ChooseGridSize, CutoffLowersTheCurvatureAndSaysSo) {
-  const DesignRequest request{
-      .layers = 2, .layerSpacing = 0.01, .nodesLong = 10, .curvatureCutoff = 0.5};
-  const GridSize size = chooseGridSize(survey(2, 1, 1), request);
-  EXPECT_EQ(size.curvatureLimit, 0.5);
-  EXPECT_THAT(size.notices, testing::ElementsAre(HasSubstr("cutoff")));
-}
-
-TEST(ChooseGridSize, RefusesCurvatureThatAsksForThousandsOfNodes) {
-  try {
-    chooseGridSize(survey(1, 1, 1e4), {.layerSpacing = 1});
-    FAIL();
-  } catch (const InputError& error) {
-    EXPECT_THAT(error.what(), HasSubstr("lower grid.curvature_cutoff to 0.49, ask"));
-  }
-}
-
 SurfaceMeasurement uniformMeasurement(double length, double curvature) {
   SurfaceMeasurement m{2, 3, LateralField<double>(2, 3, length),
                        LateralField<double>(2, 3, curvature), Eigen::Matrix3Xd::Zero(3, 12)};
@@ -107,6 +35,93 @@ TEST(DesignGrid, RefusesStrutsWithoutLength) {
   SurfaceMeasurement m = uniformMeasurement(1, 0);
   m.chords.u(1, 0) = 0;
   EXPECT_THROW(designGrid(m, {.layerSpacing = 0.1}, 3), InputError);
+}
+
+TEST(DesignGrid, RestsAtEveryLayersOwnLength) {
+  const GridDesign design = designGrid(uniformMeasurement(0.8, -0.5), {.layerSpacing = 0.1}, 3);
+  ASSERT_EQ(design.rest.size(), 3u);
+  for (int k = 0; k < 3; ++k) {
+    EXPECT_EQ(design.rest[k].u(1, 2), restLength(0.8, design.bendAngles.u(1, 2), 0.1, k, 3));
+  }
+  EXPECT_EQ(design.rest[2].v(0, 0), 0.8);  // Curves towards the bottom: convex on top.
+  EXPECT_NEAR(largestBendShrink(design), 2 * 2 * 0.1 * 0.2 / 0.8, 1e-15);
+}
+
+/// A cylinder of radius R, three nodes around, two along its axis; normals point to the axis.
+constexpr double kRadius = 2;
+constexpr double kStep = 0.3;
+struct Cylinder {
+  SurfaceMeasurement measurement{3, 2,
+                                 LateralField<double>(3, 2, 2 * kRadius * std::sin(kStep / 2)),
+                                 LateralField<double>(3, 2), Eigen::Matrix3Xd(3, 12)};
+  Eigen::Matrix3Xd normals{3, 12};
+
+  Cylinder() {
+    for (int n = 0; n < 12; ++n) {
+      const double angle = kStep * (n % 4);
+      normals.col(n) << -std::cos(angle), -std::sin(angle), 0;
+      measurement.points.col(n) = -kRadius * normals.col(n);
+      measurement.points(2, n) = n / 4;
+    }
+  }
+};
+
+TEST(DesignOnOffsets, StrutsOfACylinderAreChordsOfItsOffsets) {
+  const Cylinder cylinder;
+  for (const int layers : {2, 3, 4}) {
+    const double tau = 0.2;
+    const GridDesign design =
+        designOnOffsets(cylinder.measurement, cylinder.normals, {.layerSpacing = tau}, layers);
+    ASSERT_EQ(design.rest.size(), std::size_t(layers));
+    for (int k = 0; k < layers; ++k) {
+      const double radius = kRadius - (k - (layers - 1) / 2.0) * tau;
+      EXPECT_NEAR(design.rest[k].u(1, 1), 2 * radius * std::sin(kStep / 2), 1e-14);
+      EXPECT_NEAR(design.rest[k].v(3, 0), 1, 1e-14);
+    }
+    EXPECT_EQ(design.lengths.u(2, 0), design.rest[0].u(2, 0));
+    EXPECT_NEAR(design.bendAngles.u(2, 0), kStep, 1e-13);  // Towards the normals.
+    EXPECT_NEAR(design.bendAngles.v(2, 0), 0, 1e-13);
+    EXPECT_EQ(design.spacing, 1);
+  }
+}
+
+TEST(DesignOnOffsets, TurnedOverTheTopIsConvex) {
+  const Cylinder cylinder;
+  const GridDesign design =
+      designOnOffsets(cylinder.measurement, -cylinder.normals, {.layerSpacing = 0.2}, 3);
+  EXPECT_NEAR(design.bendAngles.u(0, 0), -kStep, 1e-13);
+  EXPECT_EQ(design.lengths.u(0, 0), design.rest[2].u(0, 0));
+}
+
+TEST(DesignOnOffsets, OneLayerDoesNotBend) {
+  const Cylinder cylinder;
+  const GridDesign design =
+      designOnOffsets(cylinder.measurement, cylinder.normals, {.layerSpacing = 9}, 1);
+  EXPECT_NEAR(design.rest[0].u(0, 0), 2 * kRadius * std::sin(kStep / 2), 1e-15);
+  EXPECT_EQ(design.bendAngles.u(0, 0), 0);
+}
+
+TEST(DesignOnOffsets, RefusesLayersBeyondTheCentreOfCurvature) {
+  const Cylinder cylinder;
+  const auto design = [&](double tau) {
+    return designOnOffsets(cylinder.measurement, cylinder.normals, {.layerSpacing = tau}, 4);
+  };
+  EXPECT_NO_THROW(design(kRadius / 1.5 - 1e-9));
+  try {
+    design(kRadius / 1.5 + 1e-9);
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("the u strut at node (0, 0), at (2, 0, 0)"));
+    EXPECT_THAT(error.what(),
+                HasSubstr("radius there is 2; grid.layer_spacing must be below 1.333"));
+  }
+}
+
+TEST(DesignOnOffsets, RefusesStrutsWithoutLength) {
+  Cylinder cylinder;
+  cylinder.measurement.chords.v(1, 0) = 0;
+  EXPECT_THROW(designOnOffsets(cylinder.measurement, cylinder.normals, {.layerSpacing = 0.1}, 3),
+               InputError);
 }
 
 TEST(RestLength, TheConvexSideKeepsItsLength) {

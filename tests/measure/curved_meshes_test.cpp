@@ -5,7 +5,8 @@
 #include <functional>
 #include <ostream>
 
-#include "measure/mesh_measurement.h"
+#include "measure/lattice_measurement.h"
+#include "surface/mesh_ray_caster.h"
 
 namespace morphgrid {
 namespace {
@@ -77,8 +78,8 @@ struct Errors {
 /// The curvature of a strut is compared with that at the middle of its ends.
 Errors errorsOf(const KnownSurface& known, int rays, int cells) {
   const MeshRayCaster caster(triangulate(known.point, cells));
-  const RayHits hits = caster.cast(kBox, rays, rays);
-  const SurfaceMeasurement m = measureMesh(hits, kNoLimit, 0);
+  const PointLattice hits = caster.cast(kBox, rays, rays).lattice();
+  const SurfaceMeasurement m = measureLattice(hits, kNoLimit, 0);
   double sum = 0;
   int count = 0;
   const auto add = [&](double curvature, int from, int to, const auto& exact) {
@@ -92,7 +93,7 @@ Errors errorsOf(const KnownSurface& known, int rays, int cells) {
       add(m.curvatures.v(line, k), hits.index(line, k), hits.index(line, k + 1), known.curvatureV);
     }
   }
-  const double length = surveyMesh(hits, 0).survey.longestIsolineU;
+  const double length = surveyLattice(hits, 0).survey.longestIsolineU;
   return {std::abs(length - known.longestIsolineU), std::sqrt(sum / count)};
 }
 

@@ -2,10 +2,9 @@
 
 namespace morphgrid {
 
-RayHits hitsOn(const std::function<double(double, double)>& x, const SamplingBox& box, int countU,
-               int countV) {
-  RayHits hits{box, countU, countV, Eigen::Matrix3Xd(3, countU * countV),
-               std::vector<char>(countU * countV, 1)};
+PointLattice hitsOn(const std::function<double(double, double)>& x, const SamplingBox& box,
+                    int countU, int countV) {
+  PointLattice hits{countU, countV, Eigen::Matrix3Xd(3, countU * countV)};
   for (int j = 0; j < countV; ++j) {
     for (int i = 0; i < countU; ++i) {
       const double y = box.uStart + box.uLength * i / (countU - 1);

@@ -5,8 +5,8 @@
 
 namespace morphgrid {
 
-/// What rays would hit on the surface x(y, z), no mesh between.
-RayHits hitsOn(const std::function<double(double, double)>& x, const SamplingBox& box, int countU,
-               int countV);
+/// What a lattice of rays would hit on the surface x(y, z), no mesh between.
+PointLattice hitsOn(const std::function<double(double, double)>& x, const SamplingBox& box,
+                    int countU, int countV);
 
 }  // namespace morphgrid

@@ -3,8 +3,9 @@
 
 #include <ostream>
 
-#include "measure/mesh_measurement.h"
+#include "measure/lattice_measurement.h"
 #include "surface/load_mesh.h"
+#include "surface/mesh_ray_caster.h"
 #include "tests/support/shared_folder.h"
 
 namespace morphgrid {
@@ -37,8 +38,8 @@ TEST_P(SharedMeshes, HaveTheKnownCurvature) {
   if (!folder) GTEST_SKIP() << "no shared meshes";
   const SharedMesh& known = GetParam();
   const TriangleMesh mesh = turned(loadMesh(*folder / "meshes" / known.file), known.scale);
-  const RayHits hits = MeshRayCaster(mesh).cast(known.box, 100, 100);
-  const SurfaceSurvey survey = surveyMesh(hits, 0).survey;
+  const PointLattice hits = MeshRayCaster(mesh).cast(known.box, 100, 100).lattice();
+  const SurfaceSurvey survey = surveyLattice(hits, 0).survey;
   constexpr double kShares[] = {0.5, 0.9, 0.95, 0.99, 1};
   for (int n = 0; n < 5; ++n) {
     EXPECT_NEAR(curvatureAtCutoff(survey, kShares[n]), known.curvatures[n],

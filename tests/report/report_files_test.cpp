@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 
+#include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
 
@@ -140,6 +141,23 @@ TEST(ReportJson, WhatARunDoesNotHaveIsNull) {
   EXPECT_TRUE(json["measurement"].is_null());
   EXPECT_TRUE(json["full"].is_null());
   EXPECT_TRUE(json["distance_to_target"].is_null());
+}
+
+TEST(ReportJson, TellsHowTheNetRuns) {
+  RunRecord record = sampleRecord();
+  EXPECT_TRUE(nlohmann::json::parse(toJson(record))["net"].is_null());
+  const double pi = std::acos(-1.0);
+  record.net = NetFigures{NetKind::orthogonal, 1.25, 0.5, {3.5, pi / 180, pi / 6}};
+  const auto net = nlohmann::json::parse(toJson(record))["net"];
+  EXPECT_EQ(net["kind"], "orthogonal");
+  EXPECT_EQ(net["modulus"], 1.25);
+  EXPECT_EQ(net["blend"], 0.5);
+  EXPECT_EQ(net["strut_ratio"], 3.5);
+  EXPECT_NEAR(net["mean_angle_deviation_degrees"].get<double>(), 1, 1e-14);
+  EXPECT_NEAR(net["largest_angle_deviation_degrees"].get<double>(), 30, 1e-13);
+  EXPECT_THAT(toTable(record), HasSubstr("  off 90 deg, mean / max"));
+  record.net->modulus.reset();
+  EXPECT_TRUE(nlohmann::json::parse(toJson(record))["net"]["modulus"].is_null());
 }
 
 TEST(ReportJson, WithoutAdviceItIsNull) {

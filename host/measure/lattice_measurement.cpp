@@ -1,4 +1,4 @@
-#include "measure/mesh_measurement.h"
+#include "measure/lattice_measurement.h"
 
 #include <fmt/format.h>
 
@@ -27,17 +27,17 @@ struct Isoline {
   Eigen::RowVectorXd meanCurvatures() const { return curvatures.colwise().mean(); }
 };
 
-/// Unit normals p_u x p_v at the hits: central differences, one-sided at the lattice's edges.
-Matrix3Xd normalsOf(const RayHits& hits) {
-  const auto point = [&](int i, int j) { return hits.points.col(hits.index(i, j)); };
-  Matrix3Xd normals(3, hits.points.cols());
-  for (int j = 0; j < hits.countV; ++j) {
-    for (int i = 0; i < hits.countU; ++i) {
+/// Unit normals p_u x p_v: central differences, one-sided at the lattice's edges.
+Matrix3Xd normalsOf(const PointLattice& lattice) {
+  const auto point = [&](int i, int j) { return lattice.points.col(lattice.index(i, j)); };
+  Matrix3Xd normals(3, lattice.points.cols());
+  for (int j = 0; j < lattice.countV; ++j) {
+    for (int i = 0; i < lattice.countU; ++i) {
       const Vector3d alongU =
-          point(std::min(i + 1, hits.countU - 1), j) - point(std::max(i - 1, 0), j);
+          point(std::min(i + 1, lattice.countU - 1), j) - point(std::max(i - 1, 0), j);
       const Vector3d alongV =
-          point(i, std::min(j + 1, hits.countV - 1)) - point(i, std::max(j - 1, 0));
-      normals.col(hits.index(i, j)) = alongU.cross(alongV).normalized();
+          point(i, std::min(j + 1, lattice.countV - 1)) - point(i, std::max(j - 1, 0));
+      normals.col(lattice.index(i, j)) = alongU.cross(alongV).normalized();
     }
   }
   return normals;
@@ -62,25 +62,26 @@ Eigen::RowVectorXd smoothedCurvatures(const Isoline& line, double width) {
   return smoothed;
 }
 
-/// The isolines of a lattice of hits.
+/// The lines of a lattice.
 class Isolines {
  public:
-  Isolines(const RayHits& hits, int samplesPerSegment, double smoothingWidth)
-      : hits_(hits),
-        normals_(normalsOf(hits)),
+  Isolines(const PointLattice& lattice, int samplesPerSegment, double smoothingWidth)
+      : lattice_(lattice),
+        normals_(normalsOf(lattice)),
         samples_(samplesPerSegment),
         smoothingWidth_(smoothingWidth) {
-    assert(hits.countU >= 2 && hits.countV >= 2);
-    assert(std::all_of(hits.hit.begin(), hits.hit.end(), [](char hit) { return hit != 0; }));
+    assert(lattice.countU >= 2 && lattice.countV >= 2);
   }
 
-  Isoline alongU(int j) const { return walk(hits_.index(0, j), hits_.countU, 1); }
-  Isoline alongV(int i) const { return walk(hits_.index(i, 0), hits_.countV, hits_.countU); }
+  Isoline alongU(int j) const { return walk(lattice_.index(0, j), lattice_.countU, 1); }
+  Isoline alongV(int i) const {
+    return walk(lattice_.index(i, 0), lattice_.countV, lattice_.countU);
+  }
 
  private:
   Isoline walk(int first, int count, int step) const {
     const auto columns = Eigen::seqN(first, count, step);
-    const Matrix3Xd points = hits_.points(Eigen::all, columns);
+    const Matrix3Xd points = lattice_.points(Eigen::all, columns);
     const Matrix3Xd normals = normals_(Eigen::all, columns);
     Isoline line{(points.rightCols(count - 1) - points.leftCols(count - 1)).colwise().norm(),
                  sampleCurvatures(points, normals)};
@@ -103,18 +104,17 @@ class Isolines {
     return curvatures;
   }
 
-  /// Rays are apart, so only rounding brings their hits together.
   static void requireLengths(const Isoline& line, const Matrix3Xd& points) {
     Eigen::Index segment = 0;
     if (!(line.chords.minCoeff(&segment) > 0)) {
       throw InputError(fmt::format(
-          "neighbouring rays hit the same point, u = {}, v = {}: the box is too small for numbers "
-          "of this size, or has too many samples",
-          points(1, segment), points(2, segment)));
+          "neighbouring points coincide at ({}, {}, {}): the box is too small for numbers of this "
+          "size, there are too many samples, or the surface is collapsed there",
+          points(0, segment), points(1, segment), points(2, segment)));
     }
   }
 
-  const RayHits& hits_;
+  const PointLattice& lattice_;
   Matrix3Xd normals_;
   int samples_;
   double smoothingWidth_;
@@ -154,26 +154,27 @@ Eigen::RowVectorXd cappedMeans(const Isoline& line, double limit) {
 
 }  // namespace
 
-MeshSurvey surveyMesh(const RayHits& hits, double smoothingWidth) {
-  const Isolines isolines(hits, kSurveySamplesPerSegment, smoothingWidth);
+LatticeSurvey surveyLattice(const PointLattice& lattice, double smoothingWidth) {
+  const Isolines isolines(lattice, kSurveySamplesPerSegment, smoothingWidth);
   DirectionSurvey u;
   DirectionSurvey v;
   CurvatureSamples samples;
-  for (int j = 0; j < hits.countV; ++j) {
+  for (int j = 0; j < lattice.countV; ++j) {
     add(isolines.alongU(j), u, samples);
   }
-  for (int i = 0; i < hits.countU; ++i) {
+  for (int i = 0; i < lattice.countU; ++i) {
     add(isolines.alongV(i), v, samples);
   }
   return {makeSurvey(u, v, std::move(samples.magnitudes)), median(std::move(samples.differences))};
 }
 
-SurfaceMeasurement measureMesh(const RayHits& hits, double curvatureLimit, double smoothingWidth) {
-  const int nodesU = hits.countU - 1;
-  const int nodesV = hits.countV - 1;
-  const Isolines isolines(hits, kSamplesPerStrut, smoothingWidth);
+SurfaceMeasurement measureLattice(const PointLattice& lattice, double curvatureLimit,
+                                  double smoothingWidth) {
+  const int nodesU = lattice.countU - 1;
+  const int nodesV = lattice.countV - 1;
+  const Isolines isolines(lattice, kSamplesPerStrut, smoothingWidth);
   SurfaceMeasurement measurement{nodesU, nodesV, LateralField<double>(nodesU, nodesV),
-                                 LateralField<double>(nodesU, nodesV), hits.points};
+                                 LateralField<double>(nodesU, nodesV), lattice.points};
   for (int j = 0; j <= nodesV; ++j) {
     const Isoline line = isolines.alongU(j);
     const Eigen::RowVectorXd curvatures = cappedMeans(line, curvatureLimit);

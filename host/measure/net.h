@@ -1,0 +1,57 @@
+#pragma once
+#include <Eigen/Core>
+#include <functional>
+
+#include "surface/point_lattice.h"
+
+namespace morphgrid {
+
+/// How the lines of a net run.
+enum class NetKind {
+  isoline,     ///< Along the isolines of the parameters, evenly spaced in them.
+  orthogonal,  ///< Crossing at right angles.
+};
+
+constexpr const char* nameOf(NetKind kind) {
+  return kind == NetKind::isoline ? "isoline" : "orthogonal";
+}
+
+/// Where the vertices of a grid lie on the target.
+struct Net {
+  int nodesU;
+  int nodesV;
+  /// (u, v) of each vertex, of a patch or of a mesh's box, in [0, 1]^2; 2 x (nodesU+1)(nodesV+1),
+  /// index j (nodesU+1) + i.
+  Eigen::Matrix2Xd parameters;
+
+  int index(int i, int j) const { return j * (nodesU + 1) + i; }
+};
+
+/// Vertex (i, j) at (i / nodesU, j / nodesV). nodesU, nodesV >= 1.
+Net isolineNet(int nodesU, int nodesV);
+
+/// Throws InputError, with the place, when a node of the net is folded or has no area in the plane
+/// of the parameters.
+void requireUnfolded(const Net& net);
+
+/// How even and how orthogonal a net is on its surface.
+struct NetQuality {
+  double strutRatio;  ///< Longest over shortest chord between neighbours; infinite when one is 0.
+  double meanAngleDeviation;  ///< Of the angles between neighbouring chords from 90 degrees, rad.
+  double largestAngleDeviation;  ///< rad
+};
+NetQuality assessNet(const PointLattice& points);
+
+/// The points of a net on its target, in the net's order.
+using NetPoints = std::function<PointLattice(const Net&)>;
+
+struct BlendedNet {
+  Net net;
+  double blend;  ///< Share of the isolines, in [0, 1].
+};
+
+/// Blends the parameters towards those of the isolines, as little as it takes for the strut ratio
+/// to be no more than maxRatio. Where no blend will do: the one of the smallest ratio.
+BlendedNet boundStrutRatio(const Net& net, double maxRatio, const NetPoints& pointsOf);
+
+}  // namespace morphgrid

@@ -1,0 +1,117 @@
+// [design] of the scene file, from its keys to the design.
+#include <gmock/gmock.h>
+
+#include <cmath>
+
+#include "app/design_scene.h"
+#include "app/pipeline.h"
+#include "tests/app/scene_files.h"
+#include "tests/support/folders.h"
+
+namespace morphgrid {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+RunRecord checkNamed(const char* scene, const std::vector<std::string>& overrides) {
+  return checkScene(loadScene(sourceFolder() / "scenes" / scene, overrides));
+}
+
+TEST(DesignSettings, AreThePapersUnlessAskedFor) {
+  const DesignRequest design = SceneFiles(kBezierScene).load().design;
+  EXPECT_EQ(design.net, NetKind::isoline);
+  EXPECT_EQ(design.reference, Reference::convex);
+  EXPECT_FALSE(design.maxStrutRatio);
+}
+
+TEST(DesignSettings, AnOrthogonalNetGoesWithTheMiddle) {
+  const SceneFiles files(kBezierScene);
+  const DesignRequest design = files.load({"design.net=orthogonal"}).design;
+  EXPECT_EQ(design.net, NetKind::orthogonal);
+  EXPECT_EQ(design.reference, Reference::middle);
+  EXPECT_EQ(files.load({"design.net=orthogonal", "design.reference=convex"}).design.reference,
+            Reference::convex);
+  EXPECT_EQ(files.load({"design.reference=middle"}).design.reference, Reference::middle);
+  EXPECT_EQ(files.load({"design.max_strut_ratio=2.5"}).design.maxStrutRatio, 2.5);
+}
+
+TEST(DesignSettings, RefuseOtherValues) {
+  const SceneFiles files(kBezierScene);
+  EXPECT_THAT(files.problems({"design.net=square"}),
+              HasSubstr("design.net must be \"isoline\" or \"orthogonal\", got \"square\""));
+  EXPECT_THAT(files.problems({"design.reference=top"}),
+              HasSubstr("design.reference must be \"convex\" or \"middle\", got \"top\""));
+  EXPECT_THAT(files.problems({"design.max_strut_ratio=1"}),
+              HasSubstr("design.max_strut_ratio must be a number > 1, got 1"));
+}
+
+TEST(DesignSettings, AreNotForBendAngles) {
+  for (const char* key : {"net=isoline", "reference=convex", "max_strut_ratio=2"}) {
+    EXPECT_THAT(SceneFiles(kBendAnglesScene).problems({std::string("design.") + key}),
+                HasSubstr("belongs to surfaces of kind \"bezier\" or \"mesh\""));
+  }
+}
+
+TEST(PatchDesign, OfIsolinesTellsHowTheyRun) {
+  const RunRecord record = checkNamed("patch.toml", {});
+  ASSERT_TRUE(record.net);
+  EXPECT_EQ(record.net->kind, NetKind::isoline);
+  EXPECT_FALSE(record.net->modulus);
+  EXPECT_EQ(record.net->blend, 0);
+  EXPECT_GT(record.net->quality.meanAngleDeviation, 0.1);
+}
+
+TEST(PatchDesign, OnAnOrthogonalNetHasSquareNodes) {
+  const SceneDesign designed =
+      designScene(loadScene(sourceFolder() / "scenes/patch.toml", {"design.net=orthogonal"}));
+  const GridDesign& design = designed.design;
+  EXPECT_EQ(design.nodesU, 30);
+  EXPECT_EQ(design.nodesV, 21);
+  EXPECT_EQ(design.rest.size(), 3u);
+  ASSERT_TRUE(designed.net);
+  EXPECT_NEAR(*designed.net->modulus, 0.69963, 1e-4);
+  EXPECT_LT(designed.net->quality.meanAngleDeviation, 0.02);
+  EXPECT_THAT(designed.notices, IsEmpty());
+  // The middle layer's rest lengths are the chords between the targets.
+  const Eigen::Matrix3Xd& targets = *designed.targets;
+  EXPECT_NEAR(design.rest[1].u(3, 2), (targets.col(2 * 31 + 4) - targets.col(2 * 31 + 3)).norm(),
+              1e-12);
+  EXPECT_GT(design.lengths.u(3, 2), design.rest[1].u(3, 2));
+}
+
+TEST(PatchDesign, BoundsTheStrutRatio) {
+  const RunRecord free = checkNamed("iris_petal.toml", {"design.net=orthogonal"});
+  EXPECT_GT(free.net->quality.strutRatio, 6);
+  const RunRecord bound =
+      checkNamed("iris_petal.toml", {"design.net=orthogonal", "design.max_strut_ratio=5"});
+  EXPECT_LE(bound.net->quality.strutRatio, 5);
+  EXPECT_GT(bound.net->quality.strutRatio, 4.99);
+  EXPECT_GT(bound.net->blend, 0);
+  EXPECT_LT(bound.net->blend, 1);
+  EXPECT_GT(bound.net->quality.meanAngleDeviation, free.net->quality.meanAngleDeviation);
+  EXPECT_THAT(bound.notices, IsEmpty());
+}
+
+TEST(PatchDesign, TellsWhereTheStrutRatioCannotBeBound) {
+  EXPECT_THAT(checkNamed("iris_petal.toml", {"design.net=orthogonal", "design.max_strut_ratio=1.1"})
+                  .notices,
+              ElementsAre(HasSubstr("beyond design.max_strut_ratio = 1.1: no blend with the "
+                                    "isolines does better")));
+  EXPECT_THAT(checkNamed("iris_petal.toml", {"design.max_strut_ratio=1.1"}).notices,
+              ElementsAre(HasSubstr("so the isolines run")));
+}
+
+TEST(PatchDesign, ThePapersReferenceGoesWithAnOrthogonalNetToo) {
+  const SceneDesign designed =
+      designScene(loadScene(sourceFolder() / "scenes/egg_chair.toml",
+                            {"design.net=orthogonal", "design.reference=convex"}));
+  // A deep shell that curves towards its normals everywhere: L0 is below, on the convex side.
+  EXPECT_EQ(designed.design.rest[0].u(8, 10), designed.design.lengths.u(8, 10));
+  EXPECT_GT(designed.design.bendAngles.u(8, 10), 0);
+  EXPECT_GT(designed.design.bendAngles.v(8, 10), 0);
+}
+
+}  // namespace
+}  // namespace morphgrid
