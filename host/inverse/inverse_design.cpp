@@ -49,17 +49,17 @@ std::string toString(InverseStep::Kind kind) {
 }
 
 InverseDesigner::InverseDesigner(const Device& device, StrutGrid& grid, DeviceGrid& deviceGrid,
-                                 const Eigen::Matrix3Xd& targets, const InverseOptions& options)
+                                 const Eigen::Matrix3Xd& targets, InverseOptions options)
     : device_(device),
       grid_(grid),
       deviceGrid_(deviceGrid),
       targets_(targets),
-      options_(options),
+      options_(std::move(options)),
       lateral_(grid.shape),
       designed_(lateral_.of(grid)),
       printed_(lateral_.lengthsAt(grid.positions)),
-      low_(lowest(designed_, printed_, options.shrinkLimit)),
-      high_(options.shrinkLimit ? printed_ : VectorXd((1 + kTrust) * designed_)),
+      low_(lowest(designed_, printed_, options_.shrinkLimit)),
+      high_(options_.shrinkLimit ? printed_ : VectorXd((1 + kTrust) * designed_)),
       lbfgs_(low_, high_),
       adjoint_(device, deviceGrid) {}
 

@@ -56,7 +56,7 @@ class InverseDesigner {
   /// grid: stacked, at the positions where it is printed, with its designed rest lengths; gets the
   /// new ones. targets: 3 x layerVertexCount. Keeps references; the device grid holds the grid.
   InverseDesigner(const Device& device, StrutGrid& grid, DeviceGrid& deviceGrid,
-                  const Eigen::Matrix3Xd& targets, const InverseOptions& options);
+                  const Eigen::Matrix3Xd& targets, InverseOptions options);
 
   /// first: the designed grid's equilibrium. Throws DeviceError when the device fails.
   InverseDesign run(Equilibrium first);
@@ -81,7 +81,7 @@ class InverseDesigner {
   StrutGrid& grid_;
   DeviceGrid& deviceGrid_;
   const Eigen::Matrix3Xd& targets_;
-  const InverseOptions& options_;
+  InverseOptions options_;
   LateralRest lateral_;
   Eigen::VectorXd designed_;
   Eigen::VectorXd printed_;

@@ -105,7 +105,7 @@ TEST(Overrides, AllProblemsAtOnce) {
             "--set grid.layers=0: grid.layers must be an integer >= 1 and <= 64, got 0\n"
             "--set weights.angle=-1: weights.angle must be a number >= 0, got -1\n"
             "--set grid.foo=1: unknown key grid.foo; known here: layers, layer_spacing, "
-            "nodes_long, max_shrinkage, curvature_cutoff");
+            "nodes_long, max_shrinkage, curvature_cutoff, strut_thickness");
   EXPECT_THAT(SceneFiles("[").problems({"a", "b=[1"}),
               AllOf(StartsWith("scene.toml:1:2: not valid TOML: "), HasSubstr("\n--set a: must be"),
                     HasSubstr("\n--set b=[1: not valid TOML: ")));

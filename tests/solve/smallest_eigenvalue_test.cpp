@@ -66,11 +66,11 @@ INSTANTIATE_TEST_SUITE_P(Layers, SmallestEigenvalueOfSheets,
 // With the default tolerance: close to zero from either side the sign must be right.
 TEST(SmallestEigenvalue, ChangesSignWhereASheetBeginsToBuckle) {
   int saddles = 0;
-  for (int percent = 0; percent <= 20; percent += 2) {
-    const StrutGrid grid = atRest(tightRimmedSheet({7, 6, 2}, percent / 100.0));
+  for (int permille = 0; permille <= 20; permille += 2) {
+    const StrutGrid grid = atRest(tightRimmedSheet({7, 6, 2}, permille / 1000.0));
     const double expected = denseSmallestEigenvalue(grid, Motions::inSpace);
     EXPECT_EQ(verdictOf(compute(grid, {})), expected > 0 ? Verdict::minimum : Verdict::saddle)
-        << percent << " %: " << expected;
+        << permille << " permille: " << expected;
     saddles += expected < 0 ? 1 : 0;
   }
   EXPECT_GT(saddles, 0);

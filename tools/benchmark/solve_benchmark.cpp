@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <memory>
-#include <set>
 
 #include "benchmark/solve_report.h"
 #include "core/atomic_file.h"
@@ -11,7 +10,8 @@
 namespace morphgrid {
 namespace {
 
-constexpr int kWarmUpNodes = 35;
+constexpr int kWarmUpNodes = 100;
+constexpr int kWarmUpVertices = 50000;
 
 struct SolveBenchmark {
   std::vector<std::string> scenes;
@@ -37,16 +37,13 @@ std::vector<Problem> problemsOf(SolveBenchmark options) {
   return problems;
 }
 
-/// Compiles the kernels, which differ with the number of layers alone.
+/// Compiles the kernels: a first solve is not what is measured. Large grids share those of a cup.
 void warmUp(const Device& device, const std::vector<Problem>& problems) {
-  std::set<int> warm;
   for (const Problem& problem : problems) {
-    if (warm.insert(problem.design.layers).second) {
-      Problem small = cupProblem(kWarmUpNodes);
-      small.design.layers = problem.design.layers;
-      const StrutGrid inPlane = small.inPlane();
-      runMultigrid(device, small.stacked(runMultigrid(device, inPlane).positions));
-    }
+    const GridDesign& design = problem.design;
+    const bool isLarge = design.nodesU * design.nodesV * design.layers > kWarmUpVertices;
+    const Problem chosen = isLarge ? cupProblem(kWarmUpNodes) : problem;
+    runMultigrid(device, chosen.stacked(runMultigrid(device, chosen.inPlane()).positions));
   }
 }
 
