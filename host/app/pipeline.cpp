@@ -170,6 +170,9 @@ RunRecord runScene(const Scene& scene, const RunOptions& options) {
   noteSaddle(record, "in-plane", *record.inPlane);
   if (designed.design.layers > 1) {
     stage = stages.runFull(designed.design, record.inPlane->positions);
+    if (designed.targets) {
+      record.inverse = stages.improve(stage, *designed.targets);
+    }
     record.full = stage.equilibrium;
     noteSaddle(record, "full", *record.full);
   }
@@ -196,6 +199,9 @@ RunRecord runScene(const Scene& scene, const RunOptions& options) {
   record.secondsTotal =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   writeFileAtomically(folder / "convergence.csv", toConvergenceCsv(record));
+  if (record.inverse) {
+    writeFileAtomically(folder / "optimise.csv", toInverseCsv(*record.inverse));
+  }
   writeFileAtomically(folder / "report.json", toJson(record));
   return record;
 }

@@ -56,17 +56,21 @@ ProgressLine::~ProgressLine() {
 
 void ProgressLine::update(const ConvergenceSample& sample) {
   samples_.push_back(sample);
-  const double pause = onTerminal_ ? kSecondsBetweenRedraws : kSecondsBetweenLines;
-  if (sample.seconds - lastPrinted_ < pause) {
-    return;
-  }
-  lastPrinted_ = sample.seconds;
   const double left =
       sample.secondsLeft >= 0 ? sample.secondsLeft : estimateSecondsLeft(samples_, tolerance_);
-  const std::string status = fmt::format("{}: {} iterations, residual {:.1e}, {}", stage_,
-                                         sample.iteration, sample.residual, timeLeft(left));
+  tell(fmt::format("{} iterations, residual {:.1e}", sample.iteration, sample.residual),
+       sample.seconds, left);
+}
+
+void ProgressLine::tell(const std::string& what, double seconds, double secondsLeft) {
+  const double pause = onTerminal_ ? kSecondsBetweenRedraws : kSecondsBetweenLines;
+  if (seconds - lastPrinted_ < pause) {
+    return;
+  }
+  lastPrinted_ = seconds;
+  const std::string status = fmt::format("{}: {}, {}", stage_, what, timeLeft(secondsLeft));
   if (onTerminal_) {
-    const double done = left >= 0 ? sample.seconds / (sample.seconds + left) : 0;
+    const double done = secondsLeft >= 0 ? seconds / (seconds + secondsLeft) : 0;
     fmt::print(stderr, "\r\033[K[{}] {}", bar(done), status);
     std::fflush(stderr);
     barDrawn_ = true;

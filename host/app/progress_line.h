@@ -17,6 +17,8 @@ class ProgressLine {
   ProgressLine& operator=(const ProgressLine&) = delete;
 
   void update(const ConvergenceSample& sample);
+  /// After so many seconds, with so many to come (negative: unknown).
+  void tell(const std::string& what, double seconds, double secondsLeft);
 
  private:
   std::string stage_;

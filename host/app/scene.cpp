@@ -1,7 +1,10 @@
 #include "app/scene.h"
 
+#include <fmt/format.h>
+
 #include "app/scene_settings.h"
 #include "app/scene_target.h"
+#include "core/error.h"
 #include "core/toml_reader.h"
 
 namespace morphgrid {
@@ -29,12 +32,30 @@ Scene readScene(TomlReader& reader, const std::filesystem::path& file) {
   return scene;
 }
 
+/// Inverse design simulates, step by step.
+void requireWhatInverseDesignNeeds(const Scene& scene) {
+  if (scene.design.compensateRounds + scene.design.optimiseSteps == 0) {
+    return;
+  }
+  if (scene.method != Method::multigrid) {
+    throw InputError(
+        fmt::format("{}: design.compensate and design.optimise need solver.method = \"multigrid\"",
+                    scene.file.string()));
+  }
+  if (scene.design.layers == 1) {
+    throw InputError(
+        fmt::format("{}: design.compensate and design.optimise need grid.layers >= 2, got 1",
+                    scene.file.string()));
+  }
+}
+
 }  // namespace
 
 Scene loadScene(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
   TomlReader reader(file, parseToml(file, overrides));
   Scene scene = readScene(reader, file);
   reader.problems.throwIfAny();
+  requireWhatInverseDesignNeeds(scene);
   return scene;
 }
 

@@ -56,7 +56,9 @@ void rejectKeysOfOtherKinds(SurfaceKind kind, TomlSection& surface, TomlSection&
       {{bendAngles}, surface, {"theta_u", "theta_v", "spacing"}},
       {{bezier, mesh}, grid, {"nodes_long", "curvature_cutoff"}},
       {{bendAngles}, grid, {"nodes_u", "nodes_v"}},
-      {{bezier, mesh}, design, {"net", "reference", "max_strut_ratio"}},
+      {{bezier, mesh},
+       design,
+       {"net", "reference", "max_strut_ratio", "compensate", "optimise", "enforce_shrinkage"}},
   };
   for (const auto& [kinds, section, keys] : all) {
     if (std::find(kinds.begin(), kinds.end(), kind) != kinds.end()) continue;
@@ -104,6 +106,12 @@ DesignRequest readDesign(TomlSection& grid, TomlSection& section) {
                              {{"convex", Reference::convex}, {"middle", Reference::middle}})
           .value_or(design.net == NetKind::isoline ? Reference::convex : Reference::middle);
   design.maxStrutRatio = section.number("max_strut_ratio", above(1));
+  constexpr IntegerRange kRounds{0, 10000};
+  design.compensateRounds =
+      static_cast<int>(section.integer("compensate", kRounds).value_or(design.compensateRounds));
+  design.optimiseSteps =
+      static_cast<int>(section.integer("optimise", kRounds).value_or(design.optimiseSteps));
+  design.enforceShrinkage = section.boolean("enforce_shrinkage").value_or(design.enforceShrinkage);
   return design;
 }
 

@@ -1,5 +1,7 @@
 #include "app/stages.h"
 
+#include <fmt/format.h>
+
 #include <cmath>
 
 #include "app/progress_line.h"
@@ -86,6 +88,38 @@ void Stages::judge(Stage& stage, Motions motions) {
   } else {
     hands_.attempt([&] { judgeBy(vCyclePreconditioner(*hands_.device, *stage.onDevice)); });
   }
+}
+
+std::optional<InverseDesign> Stages::improve(Stage& stage, const Eigen::Matrix3Xd& targets) {
+  const DesignRequest& request = scene_.design;
+  const int stepCount = request.compensateRounds + request.optimiseSteps;
+  if (stepCount == 0 || interruptRequested() || !stage.onDevice) {
+    return std::nullopt;
+  }
+  ProgressLine progress("inverse design", scene_.solve.tolerance);
+  InverseOptions options{request.compensateRounds, request.optimiseSteps, std::nullopt,
+                         scene_.solve, nullptr};
+  if (request.enforceShrinkage) {
+    options.shrinkLimit = request.maxShrinkage;
+  }
+  int done = -1;  // The design itself is no step.
+  options.onStep = [&](const InverseStep& step) {
+    ++done;
+    if (!quiet_) {
+      progress.tell(fmt::format("step {} of {}, distance {:.3g} % RMS, {:.3g} % at most", done,
+                                stepCount, step.rmsPercent, step.maxPercent),
+                    step.seconds, done > 0 ? step.seconds / done * (stepCount - done) : -1);
+    }
+  };
+  std::optional<InverseDesign> result;
+  hands_.attempt([&] {
+    StrutGrid grid = stage.grid;
+    result = InverseDesigner(*hands_.device, grid, *stage.onDevice, targets, options)
+                 .run(stage.equilibrium);
+    stage.grid.rest = std::move(grid.rest);
+    stage.equilibrium = result->equilibrium;
+  });
+  return result;
 }
 
 Stage Stages::runInPlane(const GridDesign& design) {

@@ -1,6 +1,7 @@
 #pragma once
 #include "app/checkpoint_keeper.h"
 #include "app/stagehands.h"
+#include "inverse/inverse_design.h"
 #include "solve/device_grid.h"
 
 namespace morphgrid {
@@ -23,6 +24,9 @@ class Stages {
   Stage runInPlane(const GridDesign& design);
   /// The printed layer, stacked, morphs in space.
   Stage runFull(const GridDesign& design, const Eigen::Matrix3Xd& printedLayer);
+  /// Other rest lengths, which bring the full stage closer to its targets (3 x layerVertexCount),
+  /// as the scene asks for; nothing when it does not or the device fails. Then the stage stays.
+  std::optional<InverseDesign> improve(Stage& stage, const Eigen::Matrix3Xd& targets);
 
  private:
   Stage prepare(StrutGrid grid);

@@ -40,6 +40,26 @@ ordered_json toJson(const Equilibrium& stage) {
           {"smallest_eigenvalue", eigenvalueToJson(stage)}};
 }
 
+ordered_json toJson(const InverseStep& step) {
+  return {{"kind", toString(step.kind)},
+          {"number", step.number},
+          {"rms_percent", step.rmsPercent},
+          {"max_percent", step.maxPercent},
+          {"largest_shrink_percent", step.largestShrinkPercent},
+          {"struts_at_bound", step.strutsAtBound},
+          {"cycles", step.cycles},
+          {"adjoint_products", step.adjointProducts},
+          {"seconds", step.seconds}};
+}
+
+ordered_json toJson(const InverseDesign& inverse) {
+  ordered_json steps = ordered_json::array();
+  for (const InverseStep& step : inverse.steps) {
+    steps.push_back(toJson(step));
+  }
+  return {{"ending", inverse.ending}, {"steps", std::move(steps)}};
+}
+
 ordered_json toJson(const std::vector<CutoffConsequence>& cutoffs) {
   ordered_json array = ordered_json::array();
   for (const CutoffConsequence& c : cutoffs) {
@@ -316,6 +336,17 @@ void addFeasibility(Table& table, const RunRecord& record) {
   }
 }
 
+void addInverse(Table& table, const std::optional<InverseDesign>& inverse) {
+  if (inverse) {
+    const InverseStep& first = inverse->steps.front();
+    const InverseStep& last = inverse->steps.back();
+    table.line(fmt::format(
+        "  inverse design: {} steps ({}), distance {:.3g} / {:.3g} to {:.3g} / {:.3g} %, {:.2f} s",
+        inverse->steps.size() - 1, inverse->ending, first.rmsPercent, first.maxPercent,
+        last.rmsPercent, last.maxPercent, last.seconds));
+  }
+}
+
 void addResults(Table& table, const RunRecord& record, const PublishedFigures& paper) {
   const auto percent = [](double value) { return fmt::format("{:.2f} %", value); };
   if (record.errors) {
@@ -353,6 +384,7 @@ std::string toJson(const RunRecord& record) {
       {"measurement", orNull(record.measurement)},
       {"in_plane", orNull(record.inPlane)},
       {"full", orNull(record.full)},
+      {"inverse_design", orNull(record.inverse)},
       {"errors", orNull(record.errors)},
       {"distance_to_target", orNull(record.distance)},
       {"shrink", orNull(record.shrink)},
@@ -361,6 +393,18 @@ std::string toJson(const RunRecord& record) {
        record.deviceFailure ? ordered_json(*record.deviceFailure) : ordered_json(nullptr)},
       {"notices", record.notices}};
   return json.dump(2) + "\n";
+}
+
+std::string toInverseCsv(const InverseDesign& inverse) {
+  std::string csv =
+      "kind,number,rms_percent,max_percent,largest_shrink_percent,struts_at_bound,cycles,"
+      "adjoint_products,seconds\n";
+  for (const InverseStep& s : inverse.steps) {
+    csv += fmt::format("{},{},{},{},{},{},{},{},{}\n", toString(s.kind), s.number, s.rmsPercent,
+                       s.maxPercent, s.largestShrinkPercent, s.strutsAtBound, s.cycles,
+                       s.adjointProducts, s.seconds);
+  }
+  return csv;
 }
 
 std::string toConvergenceCsv(const RunRecord& record) {
@@ -387,6 +431,7 @@ std::string toTable(const RunRecord& record) {
   addResults(table, record, paper);
   addStage(table, "in plane:", record.inPlane);
   addStage(table, "full:", record.full);
+  addInverse(table, record.inverse);
   return table.text();
 }
 

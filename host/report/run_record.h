@@ -6,6 +6,7 @@
 #include "design/curvature_cutoff.h"
 #include "design/grid_design.h"
 #include "grid/strut_grid.h"
+#include "inverse/inverse_design.h"
 #include "report/feasibility.h"
 #include "report/figures.h"
 #include "report/shrink_figures.h"
@@ -75,7 +76,8 @@ struct RunRecord {
   std::optional<NetFigures> net;                  ///< Not for grids given by bend angles.
   std::optional<MeshFigures> mesh;                ///< Only for meshes.
   std::optional<Equilibrium> inPlane;
-  std::optional<Equilibrium> full;  ///< Not for grids of one layer.
+  std::optional<Equilibrium> full;       ///< Not for grids of one layer.
+  std::optional<InverseDesign> inverse;  ///< Its equilibrium is that of `full`.
   std::optional<StrutErrors> errors;
   std::optional<TargetDistance> distance;
   std::optional<ShrinkFigures> shrink;

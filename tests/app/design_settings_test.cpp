@@ -24,6 +24,25 @@ TEST(DesignSettings, AreThePapersUnlessAskedFor) {
   EXPECT_EQ(design.net, NetKind::isoline);
   EXPECT_EQ(design.reference, Reference::convex);
   EXPECT_FALSE(design.maxStrutRatio);
+  EXPECT_EQ(design.compensateRounds, 0);
+  EXPECT_EQ(design.optimiseSteps, 0);
+  EXPECT_FALSE(design.enforceShrinkage);
+}
+
+TEST(DesignSettings, InverseDesignNeedsTheMethodThatItRunsOn) {
+  const SceneFiles files(kBezierScene);
+  const DesignRequest design =
+      files.load({"design.compensate=2", "design.optimise=16", "design.enforce_shrinkage=true"})
+          .design;
+  EXPECT_EQ(design.compensateRounds, 2);
+  EXPECT_EQ(design.optimiseSteps, 16);
+  EXPECT_TRUE(design.enforceShrinkage);
+  EXPECT_THAT(files.problems({"design.optimise=1", "solver.method=jacobi"}),
+              HasSubstr("need solver.method = \"multigrid\""));
+  EXPECT_THAT(files.problems({"design.compensate=1", "grid.layers=1"}),
+              HasSubstr("need grid.layers >= 2"));
+  EXPECT_THAT(files.problems({"design.optimise=-1"}),
+              HasSubstr("design.optimise must be an integer >= 0 and <= 10000, got -1"));
 }
 
 TEST(DesignSettings, AnOrthogonalNetGoesWithTheMiddle) {
@@ -48,7 +67,7 @@ TEST(DesignSettings, RefuseOtherValues) {
 }
 
 TEST(DesignSettings, AreNotForBendAngles) {
-  for (const char* key : {"net=isoline", "reference=convex", "max_strut_ratio=2"}) {
+  for (const char* key : {"net=isoline", "reference=convex", "max_strut_ratio=2", "optimise=1"}) {
     EXPECT_THAT(SceneFiles(kBendAnglesScene).problems({std::string("design.") + key}),
                 HasSubstr("belongs to surfaces of kind \"bezier\" or \"mesh\""));
   }
