@@ -13,10 +13,17 @@ layout(binding = kBindingChanges + 1, rgba32f) readonly uniform imageBuffer y1;
 layout(binding = kBindingChanges + 2, rgba32f) readonly uniform imageBuffer y2;
 layout(binding = kBindingGradient, rgba32f) readonly uniform imageBuffer gradient;
 layout(binding = kBindingCorrection, rgba32f) readonly uniform imageBuffer correction;
-layout(std430, binding = kBindingReduced) writeonly buffer Reduced { PairDots reduced[]; };
+layout(std430, binding = kBindingReduced) writeonly buffer Reduced { float reduced[]; };  // PairDots
 layout(push_constant) uniform Push { DotsPush push; };
 
-shared PairDots sums[kVectorInvocations];
+const uint kSums = 20u;  // Floats in PairDots.
+shared float sums[kSums][kVectorInvocations];
+
+void store(uint first, vec4 sum) {
+  for (uint n = 0u; n < 4u; ++n) {
+    sums[first + n][gl_LocalInvocationIndex] = sum[n];
+  }
+}
 
 void main() {
   PairDots sum = PairDots(vec4(0), vec4(0), vec4[](vec4(0), vec4(0), vec4(0)));
@@ -32,20 +39,19 @@ void main() {
     sum.changes[1] += vec4(s[1] * y, 0.0);
     sum.changes[2] += vec4(s[2] * y, 0.0);
   }
-  // Pairwise: accurate and the same in every run.
-  uint lane = gl_LocalInvocationIndex;
-  sums[lane] = sum;
-  for (uint reach = kVectorInvocations / 2u; reach > 0u; reach /= 2u) {
-    barrier();
-    if (lane < reach) {
-      sums[lane].gradient += sums[lane + reach].gradient;
-      sums[lane].correction += sums[lane + reach].correction;
-      sums[lane].changes[0] += sums[lane + reach].changes[0];
-      sums[lane].changes[1] += sums[lane + reach].changes[1];
-      sums[lane].changes[2] += sums[lane + reach].changes[2];
+  store(0u, sum.gradient);
+  store(4u, sum.correction);
+  store(8u, sum.changes[0]);
+  store(12u, sum.changes[1]);
+  store(16u, sum.changes[2]);
+  barrier();
+  // An invocation a sum, in a fixed order: on lavapipe a tree of barriers costs more than all the rest.
+  uint which = gl_LocalInvocationIndex;
+  if (which < kSums) {
+    float total = 0.0;
+    for (uint n = 0u; n < kVectorInvocations; ++n) {
+      total += sums[which][n];
     }
-  }
-  if (lane == 0u) {
-    reduced[gl_WorkGroupID.x] = sums[0];
+    reduced[gl_WorkGroupID.x * kSums + which] = total;
   }
 }
