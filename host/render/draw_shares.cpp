@@ -41,13 +41,13 @@ Eigen::MatrixXf columnsOf(const StrutValues& shares) {
 }
 
 /// A pair of shaders with the texels that they read.
-struct Layer {
+struct SheetLayer {
   GraphicsPipeline pipeline;
   ResourceSet resources;
 
-  Layer(const Device& device, const OffscreenTarget& target, const ShaderPair& shaders,
-        const std::vector<KernelResource>& texels, std::size_t pushBytes,
-        Blending blending = Blending::opaque)
+  SheetLayer(const Device& device, const OffscreenTarget& target, const ShaderPair& shaders,
+             const std::vector<KernelResource>& texels, std::size_t pushBytes,
+             Blending blending = Blending::opaque)
       : pipeline(device, shaders, slotsOf(texels), static_cast<uint>(pushBytes),
                  target.renderPass(), target.samples(), blending),
         resources(device, pipeline.setLayout(), texels) {}
@@ -66,9 +66,9 @@ Image drawStrutShares(const Device& device, const DeviceGrid& grid, const StrutV
   const TexelView positions = positionTexels(device, grid);
   const TexelView shareTexels(device, shareBuffer, vk::Format::eR32G32B32A32Sfloat, sizeof(vec4));
   OffscreenTarget target = createTarget(device, width, height, samples);
-  const Layer layer(device, target, {strut_share_vert_spirv, strut_share_frag_spirv},
-                    {{kBindingPositions, &positions}, {kBindingShares, &shareTexels}},
-                    sizeof(StrutPush));
+  const SheetLayer layer(device, target, {strut_share_vert_spirv, strut_share_frag_spirv},
+                         {{kBindingPositions, &positions}, {kBindingShares, &shareTexels}},
+                         sizeof(StrutPush));
   const auto [alongU, alongV, vertical] = strutCounts(grid.shape());
   StrutPush push = strutPush(grid, viewOf(grid, Eigen::Isometry3d::Identity(), camera, height));
   return {width, height, target.render([&](const vk::raii::CommandBuffer& commands) {
@@ -88,12 +88,12 @@ Image drawSurfaceShares(const Device& device, const PlacedGrid& surface,
   const TexelView shareTexels(device, shareBuffer, vk::Format::eR32Sfloat, sizeof(float));
   const TexelView veilPositions = positionTexels(device, veil.grid);
   OffscreenTarget target = createTarget(device, width, height, samples);
-  const Layer surfaceLayer(device, target, {surface_share_vert_spirv, surface_share_frag_spirv},
-                           {{kBindingPositions, &positions}, {kBindingShares, &shareTexels}},
-                           sizeof(SurfacePush));
-  const Layer veilLayer(device, target, {surface_vert_spirv, surface_veil_frag_spirv},
-                        {{kBindingPositions, &veilPositions}}, sizeof(SurfacePush),
-                        Blending::translucent);
+  const SheetLayer surfaceLayer(
+      device, target, {surface_share_vert_spirv, surface_share_frag_spirv},
+      {{kBindingPositions, &positions}, {kBindingShares, &shareTexels}}, sizeof(SurfacePush));
+  const SheetLayer veilLayer(device, target, {surface_vert_spirv, surface_veil_frag_spirv},
+                             {{kBindingPositions, &veilPositions}}, sizeof(SurfacePush),
+                             Blending::translucent);
   const auto pushOf = [&](const PlacedGrid& placed) {
     return surfacePush(placed.grid, viewOf(placed.grid, placed.worldFromGrid, camera, height));
   };

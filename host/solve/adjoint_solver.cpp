@@ -1,6 +1,5 @@
 #include "solve/adjoint_solver.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include "shared/adjoint_types.h"
@@ -9,15 +8,8 @@
 #include "solve/adjoint_dots_comp.h"
 
 namespace morphgrid {
-namespace {
 
 using Eigen::Matrix3Xd;
-
-std::uint32_t dotGroups(std::uint32_t count) {
-  return std::min((count + kVectorInvocations - 1) / kVectorInvocations, kMostReductionGroups);
-}
-
-}  // namespace
 
 AdjointSolver::AdjointSolver(const Device& device, const DeviceGrid& grid)
     : device_(device),
@@ -28,7 +20,7 @@ AdjointSolver::AdjointSolver(const Device& device, const DeviceGrid& grid)
       correction_(device, grid.shape().vertexCount()),
       direction_(device, grid.shape().vertexCount()),
       product_(device, grid.shape().vertexCount()),
-      sums_(device, dotGroups(count_) * sizeof(vec2), vk::BufferUsageFlagBits::eStorageBuffer,
+      sums_(device, reductionGroups(count_) * sizeof(vec2), vk::BufferUsageFlagBits::eStorageBuffer,
             MemoryKind::host),
       cycle_(device, grid, remainder_, correction_),
       multiplication_(cycle_.hessian().exactProduct(direction_, product_)),
@@ -79,8 +71,8 @@ AdjointSolver::Products AdjointSolver::multiply(double share) {
   stream_.begin();
   stream_.dispatch(turn_, AdvancePush{count_, static_cast<float>(share)}, groups);
   cycle_.hessian().record(stream_, multiplication_);
-  stream_.dispatch(directionDots_, DotsPush{count_, dotGroups(count_) * kVectorInvocations},
-                   dotGroups(count_));
+  stream_.dispatch(directionDots_, DotsPush{count_, reductionGroups(count_) * kVectorInvocations},
+                   reductionGroups(count_));
   return run();
 }
 
@@ -89,8 +81,8 @@ AdjointSolver::Products AdjointSolver::advance(double share) {
   stream_.begin();
   stream_.dispatch(advance_, AdvancePush{count_, static_cast<float>(share)}, groups);
   cycle_.record(stream_);
-  stream_.dispatch(remainderDots_, DotsPush{count_, dotGroups(count_) * kVectorInvocations},
-                   dotGroups(count_));
+  stream_.dispatch(remainderDots_, DotsPush{count_, reductionGroups(count_) * kVectorInvocations},
+                   reductionGroups(count_));
   return run();
 }
 

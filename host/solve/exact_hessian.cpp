@@ -10,7 +10,7 @@ using Eigen::Matrix3Xd;
 using Eigen::Vector3d;
 
 /// As in energy.cpp: keeps D above 0 where arms are collinear.
-constexpr double kCollinear = 1e-12;
+constexpr double kNearlyCollinear = 1e-12;
 
 /// How the gradient at `to` changes when the strut e changes by z; that at `from` is the opposite.
 Vector3d strutChange(const Vector3d& e, const Vector3d& z, double rest, double stiffness) {
@@ -35,7 +35,7 @@ CornerChange cornerChange(const Vector3d& a, const Vector3d& b, const Vector3d& 
     return {Vector3d::Zero(), Vector3d::Zero()};
   }
   const double s = a.dot(b);
-  const double d = std::max(std::sqrt(std::max(t * t - 4 * s * s, 0.0)), kCollinear * t);
+  const double d = std::max(std::sqrt(std::max(t * t - 4 * s * s, 0.0)), kNearlyCollinear * t);
   const double changeOfT = 2 * (a.dot(za) + b.dot(zb));
   const double changeOfS = a.dot(zb) + b.dot(za);
   const double own = -4 * s * s / (d * (t + d));

@@ -20,10 +20,6 @@ std::vector<VertexVector> pairVectors(const Device& device, int vertexCount) {
   return vectors;
 }
 
-std::uint32_t reductionGroups(std::uint32_t count) {
-  return std::min((count + kVectorInvocations - 1) / kVectorInvocations, kMostReductionGroups);
-}
-
 Buffer reductionBuffer(const Device& device, std::uint32_t count, std::size_t bytesPerGroup) {
   return {device, reductionGroups(count) * bytesPerGroup, vk::BufferUsageFlagBits::eStorageBuffer,
           MemoryKind::host};

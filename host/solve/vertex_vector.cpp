@@ -1,6 +1,9 @@
 #include "solve/vertex_vector.h"
 
+#include <algorithm>
+
 #include "gpu/command_stream.h"
+#include "shared/lbfgs_types.h"
 #include "shared/solver_types.h"
 #include "solve/column_walk.h"
 
@@ -31,6 +34,12 @@ Eigen::Matrix3Xd VertexVector::download(const Device& device) const {
     values.col(n) << value.x, value.y, value.z;
   }
   return values;
+}
+
+std::uint32_t reductionGroups(std::uint32_t vertexCount) {
+  // Few: what a workgroup costs when it adds up is worth many vertices.
+  constexpr std::uint32_t kVerticesPerGroup = 16 * kVectorInvocations;
+  return std::min((vertexCount + kVerticesPerGroup - 1) / kVerticesPerGroup, kMostReductionGroups);
 }
 
 }  // namespace morphgrid

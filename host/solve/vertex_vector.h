@@ -24,4 +24,8 @@ class VertexVector {
   TexelView texels_;
 };
 
+/// Workgroups, of kVectorInvocations each, for a kernel that adds something up over so many
+/// vertices, and leaves a sum per workgroup.
+std::uint32_t reductionGroups(std::uint32_t vertexCount);
+
 }  // namespace morphgrid

@@ -16,7 +16,7 @@ struct Visit {
 };
 
 /// Embree calls this for every triangle in reach; true tells it that the radius has shrunk.
-bool visitTriangle(RTCPointQueryFunctionArguments* arguments) {
+bool visitNeighbour(RTCPointQueryFunctionArguments* arguments) {
   const auto& visit = *static_cast<const Visit*>(arguments->userPtr);
   const double radius = visit.visitor(static_cast<int>(arguments->primID));
   const float queryRadius = visit.queryRadius(radius);
@@ -42,7 +42,7 @@ void EmbreeNeighbourhood::visit(const Eigen::Vector3d& point, double radius,
   query.y = static_cast<float>(point.y());
   query.z = static_cast<float>(point.z());
   query.radius = visit.queryRadius(radius);
-  rtcPointQuery(mesh_.scene(), &query, &context, visitTriangle, &visit);
+  rtcPointQuery(mesh_.scene(), &query, &context, visitNeighbour, &visit);
 }
 
 }  // namespace morphgrid
