@@ -117,14 +117,32 @@ class Drawing {
           "stroke-width=\"2\"/>\n",
           xOf(point.x), yOf(point.y), point.atLeast ? "white" : color, color);
     }
-    label(xOf(points.back().x) + 10, yOf(points.back().y) + 5, name, "start",
+    label(xOf(points.back().x) + 10, freeLine(yOf(points.back().y) + 5), name, "start",
           fmt::format(" fill=\"{}\"", color));
+  }
+
+  /// The nearest y at or below the wanted one where no name stands yet.
+  double freeLine(double wanted) {
+    constexpr double kLineHeight = 16;
+    double y = wanted;
+    for (bool taken = true; taken;) {
+      taken = false;
+      for (const double other : nameLines_) {
+        if (std::abs(other - y) < kLineHeight) {
+          y = other + kLineHeight;
+          taken = true;
+        }
+      }
+    }
+    nameLines_.push_back(y);
+    return y;
   }
 
   const LogPlot& plot_;
   Axis xAxis_;
   Axis yAxis_;
   std::string text_;
+  std::vector<double> nameLines_;  ///< y of the names so far.
 };
 
 }  // namespace
