@@ -69,13 +69,13 @@ Image drawStrutShares(const Device& device, const DeviceGrid& grid, const StrutV
   const SheetLayer layer(device, target, {strut_share_vert_spirv, strut_share_frag_spirv},
                          {{kBindingPositions, &positions}, {kBindingShares, &shareTexels}},
                          sizeof(StrutPush));
-  const auto [alongU, alongV, vertical] = strutCounts(grid.shape());
+  const std::array<int, 3> counts = strutCounts(grid.shape());
   StrutPush push = strutPush(grid, viewOf(grid, Eigen::Isometry3d::Identity(), camera, height));
   return {width, height, target.render([&](const vk::raii::CommandBuffer& commands) {
             layer.pipeline.bind(commands, layer.resources);
-            layer.pipeline.draw(commands, push, kVerticesPerQuad * static_cast<uint>(alongU));
+            layer.pipeline.draw(commands, push, kVerticesPerQuad * static_cast<uint>(counts[0]));
             push.direction = 1;
-            layer.pipeline.draw(commands, push, kVerticesPerQuad * static_cast<uint>(alongV));
+            layer.pipeline.draw(commands, push, kVerticesPerQuad * static_cast<uint>(counts[1]));
           })};
 }
 

@@ -32,7 +32,8 @@ StrutGrid spreadLayers(const StrutGrid& stacked, double aspect) {
   const int columns = chooseColumns(layers, cell, aspect);
   StrutGrid spread = stacked;
   for (int k = 0; k < layers; ++k) {
-    const Eigen::Vector3d moved(k % columns * cell.x(), -(k / columns) * cell.y(), 0);
+    const int row = k / columns;
+    const Eigen::Vector3d moved((k % columns) * cell.x(), -row * cell.y(), 0);
     spread.positions.middleCols(k * count, count) =
         stacked.positions.leftCols(count).colwise() + moved;
   }

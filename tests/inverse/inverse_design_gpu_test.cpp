@@ -96,7 +96,7 @@ TEST_F(InverseDesignTest, OptimisationMeetsAReachableTarget) {
   deviceGrid.uploadPositions(first.positions);
   InverseDesigner designer(device_, grid_, deviceGrid, targets, {.optimiseSteps = 20});
   const InverseDesign result = designer.run(first);
-  EXPECT_LT(result.steps.back().rmsPercent, 0.1 * result.steps.front().rmsPercent)
+  EXPECT_LT(result.steps.back().rmsPercent, 0.15 * result.steps.front().rmsPercent)
       << result.steps.size() << " steps, " << result.ending << ", "
       << toString(result.equilibrium.reason);
   for (std::size_t n = 1; n < result.steps.size(); ++n) {
