@@ -80,7 +80,9 @@ void placeSides(const ConformalMap& map, Net& net) {
     return map.values.row(0).segment(Eigen::Index(j) * map.countU, map.countU).transpose().eval();
   };
   const auto alongV = [&](int i) {
-    return map.values.row(1)(Eigen::seqN(i, map.countV, map.countU)).transpose().eval();
+    return Eigen::VectorXd::NullaryExpr(
+               map.countV, [&](Eigen::Index j) { return map.values(1, j * map.countU + i); })
+        .eval();
   };
   for (const int end : {0, 1}) {
     const Eigen::VectorXd rowValues = alongU(end * (map.countV - 1));
