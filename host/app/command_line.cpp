@@ -53,7 +53,9 @@ void logNotices(const RunRecord& record) {
 }
 
 int check(const Arguments& arguments) {
-  const RunRecord record = checkScene(loadScene(arguments.scene, arguments.overrides));
+  const Scene scene = loadScene(arguments.scene, arguments.overrides);
+  RunRecord record = checkScene(scene);
+  noteMissingRoom(scene, record);
   logNotices(record);
   fmt::print("{}", toTable(record));
   return kConverged;

@@ -133,8 +133,9 @@ void examine(const Stage& stage, const Scene& scene, RunRecord& record) {
 
 }  // namespace
 
-RunRecord checkScene(const Scene& scene) {
-  RunRecord record = recordOf(scene, designScene(scene));
+RunRecord checkScene(const Scene& scene) { return recordOf(scene, designScene(scene)); }
+
+void noteMissingRoom(const Scene& scene, RunRecord& record) {
   try {
     const auto reason = whyTooLarge(record.grid.shape, scene.method, roomOn(Device()));
     if (reason) {
@@ -143,7 +144,6 @@ RunRecord checkScene(const Scene& scene) {
   } catch (const DeviceError&) {
     // Checking a scene needs no device; a run will say what is wrong with it.
   }
-  return record;
 }
 
 RunRecord runScene(const Scene& scene, const RunOptions& options) {

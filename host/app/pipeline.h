@@ -18,6 +18,9 @@ struct RunOptions {
 /// Reads nothing, solves nothing: measures and designs.
 RunRecord checkScene(const Scene& scene);
 
+/// Adds a notice when the first device that will do has no room for the checked scene's grid.
+void noteMissingRoom(const Scene& scene, RunRecord& record);
+
 /// The main job: measure, design, solve in the plane, stack, solve in space; leaves report,
 /// pictures and files in the output folder. When the device fails on the way, the record and the
 /// files hold what was done so far, without more pictures. Throws InputError when the scene cannot
