@@ -34,6 +34,11 @@ VectorXd lowest(const VectorXd& designed, const VectorXd& printed,
   return shrinkLimit ? VectorXd((1 - *shrinkLimit) * printed) : VectorXd((1 - kTrust) * designed);
 }
 
+VectorXd highest(const VectorXd& designed, const VectorXd& printed,
+                 const std::optional<double>& shrinkLimit) {
+  return shrinkLimit ? printed : VectorXd((1 + kTrust) * designed);
+}
+
 }  // namespace
 
 std::string toString(InverseStep::Kind kind) {
@@ -59,7 +64,7 @@ InverseDesigner::InverseDesigner(const Device& device, StrutGrid& grid, DeviceGr
       designed_(lateral_.of(grid)),
       printed_(lateral_.lengthsAt(grid.positions)),
       low_(lowest(designed_, printed_, options_.shrinkLimit)),
-      high_(options_.shrinkLimit ? printed_ : VectorXd((1 + kTrust) * designed_)),
+      high_(highest(designed_, printed_, options_.shrinkLimit)),
       lbfgs_(low_, high_),
       adjoint_(device, deviceGrid) {}
 
@@ -68,10 +73,7 @@ InverseDesign InverseDesigner::run(Equilibrium first) {
   begin(std::move(first));
   compensate();
   optimise();
-  if (state_.equilibrium.reason != StopReason::interrupted) {
-    State last = morphed(state_.rest, options_.solve.energyTolerance);
-    state_ = std::move(last);
-  }
+  state_ = morphed(state_.rest, options_.solve.energyTolerance);
   if (interruptRequested()) {
     result_.ending = "interrupted";
   }
