@@ -80,14 +80,7 @@ ClosestPointQuery& ClosestPointQuery::operator=(ClosestPointQuery&&) noexcept = 
 double ClosestPointQuery::distance(const Vector3d& point) const {
   Search search{scene_->vertices, scene_->triangles, point,
                 std::numeric_limits<double>::infinity()};
-  RTCPointQueryContext context;
-  rtcInitPointQueryContext(&context);
-  RTCPointQuery query{};
-  query.x = static_cast<float>(point.x());
-  query.y = static_cast<float>(point.y());
-  query.z = static_cast<float>(point.z());
-  query.radius = std::numeric_limits<float>::infinity();
-  rtcPointQuery(scene_->mesh.scene(), &query, &context, visitTriangle, &search);
+  scene_->mesh.query(point, std::numeric_limits<float>::infinity(), visitTriangle, &search);
   return std::sqrt(search.squaredDistance);
 }
 

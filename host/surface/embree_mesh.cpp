@@ -44,4 +44,16 @@ void EmbreeMesh::throwOnError() const {
   }
 }
 
+void EmbreeMesh::query(const Eigen::Vector3d& point, float radius, RTCPointQueryFunction visit,
+                       void* userData) const {
+  RTCPointQueryContext context;
+  rtcInitPointQueryContext(&context);
+  RTCPointQuery query{};
+  query.x = static_cast<float>(point.x());
+  query.y = static_cast<float>(point.y());
+  query.z = static_cast<float>(point.z());
+  query.radius = radius;
+  rtcPointQuery(scene_.get(), &query, &context, visit, userData);
+}
+
 }  // namespace morphgrid

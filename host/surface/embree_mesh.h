@@ -16,6 +16,11 @@ class EmbreeMesh {
 
   RTCScene scene() const { return scene_.get(); }
 
+  /// Calls `visit` with `userData` for the triangles within the radius of a point, which it may
+  /// shrink.
+  void query(const Eigen::Vector3d& point, float radius, RTCPointQueryFunction visit,
+             void* userData) const;
+
  private:
   void* newBuffer(RTCGeometry geometry, RTCBufferType type, RTCFormat format,
                   Eigen::Index count) const;

@@ -35,14 +35,7 @@ EmbreeNeighbourhood::EmbreeNeighbourhood(const Eigen::Matrix3Xd& vertices,
 void EmbreeNeighbourhood::visit(const Eigen::Vector3d& point, double radius,
                                 const Visitor& visitor) const {
   Visit visit{visitor, rounding_};
-  RTCPointQueryContext context;
-  rtcInitPointQueryContext(&context);
-  RTCPointQuery query{};
-  query.x = static_cast<float>(point.x());
-  query.y = static_cast<float>(point.y());
-  query.z = static_cast<float>(point.z());
-  query.radius = visit.queryRadius(radius);
-  rtcPointQuery(mesh_.scene(), &query, &context, visitNeighbour, &visit);
+  mesh_.query(point, visit.queryRadius(radius), visitNeighbour, &visit);
 }
 
 }  // namespace morphgrid

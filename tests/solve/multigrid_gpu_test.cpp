@@ -27,48 +27,6 @@ double energyDownhillFrom(const Equilibrium& found, StrutGrid grid) {
   return solveReference(grid, {.tolerance = 1e-11, .iterationLimit = 500}).energy;
 }
 
-struct Answer {
-  const char* name;
-  bool shapeopIsConverged;  ///< Else the reference solver's positions are the answer.
-};
-
-class MultigridReferenceAnswers : public Multigrid, public testing::WithParamInterface<Answer> {};
-
-TEST_P(MultigridReferenceAnswers, PositionsAndEnergyMatch) {
-  const ReferenceProblem problem = loadReferenceProblem(GetParam().name);
-  const Equilibrium result = solve(problem.grid);
-  EXPECT_TRUE(result.converged) << toString(result.reason);
-  EXPECT_NEAR(result.energy / problem.minimumEnergy, 1, 1e-5);
-  const Eigen::Matrix3Xd expected =
-      GetParam().shapeopIsConverged ? problem.shapeopPositions
-                                    : solveReference(problem.grid, {.tolerance = 1e-11}).positions;
-  EXPECT_LT(largestAlignedDistance(result.positions, expected), 1e-3 * problem.grid.spacing);
-}
-
-INSTANTIATE_TEST_SUITE_P(ShapeOp, MultigridReferenceAnswers,
-                         testing::Values(Answer{"egg_chair_in_plane", true},
-                                         Answer{"egg_chair", true}, Answer{"saddle_patch", false},
-                                         Answer{"strip", false}),
-                         [](const auto& test) { return std::string(test.param.name); });
-
-class MultigridShapes : public Multigrid, public testing::WithParamInterface<GridShape> {};
-
-TEST_P(MultigridShapes, AgreesWithTheOracle) {
-  const StrutGrid grid = bentGrid(GetParam(), 8);
-  const Equilibrium result = solve(grid);
-  const Equilibrium expected = solveReference(grid, {.tolerance = 1e-11});
-  EXPECT_TRUE(result.converged) << toString(result.reason);
-  EXPECT_NEAR(result.energy / expected.energy, 1, 1e-6);
-  EXPECT_LT(largestAlignedDistance(result.positions, expected.positions), 1e-3);
-}
-
-INSTANTIATE_TEST_SUITE_P(OddShapes, MultigridShapes,
-                         testing::Values(GridShape{2, 2, 1}, GridShape{2, 2, 2},
-                                         GridShape{9, 17, 1}, GridShape{17, 3, 2},
-                                         GridShape{7, 5, 5}, GridShape{3, 18, 3},
-                                         GridShape{5, 4, 9}, GridShape{2, 40, 3},
-                                         GridShape{3, 2, 16}));
-
 /// What struts and corners weigh, beside 5 for the lateral struts.
 struct Extreme {
   const char* name;
@@ -112,11 +70,6 @@ TEST_F(Multigrid, SoftGridConvergesOnlyWhenItsEnergyRests) {
   const Equilibrium found = solve(grid, {.tolerance = 1e-5});
   EXPECT_TRUE(found.converged);
   EXPECT_NEAR(found.energy / energyDownhillFrom(found, grid), 1, 1e-6);
-}
-
-TEST_F(Multigrid, TwoRunsGiveTheSameBits) {
-  const StrutGrid grid = bentGrid({14, 13, 3}, 5);
-  EXPECT_EQ(solve(grid).positions, solve(grid).positions);
 }
 
 TEST_F(Multigrid, FlatGridAtRestStaysFlatAndConvergesAtOnce) {
