@@ -170,6 +170,7 @@ RunRecord runScene(const Scene& scene, const RunOptions& options) {
   noteSaddle(record, "in-plane", *record.inPlane);
   if (designed.design.layers > 1) {
     stage = stages.runFull(designed.design, record.inPlane->positions);
+    record.printScale = stage.printScale;
     if (designed.targets) {
       record.inverse = stages.improve(stage, *designed.targets);
     }

@@ -6,6 +6,7 @@
 
 #include "app/progress_line.h"
 #include "core/interrupt.h"
+#include "inverse/print_scale.h"
 #include "solve/energy.h"
 #include "solve/jacobi_solver.h"
 #include "solve/multigrid_solver.h"
@@ -93,7 +94,7 @@ void Stages::judge(Stage& stage, Motions motions) {
 std::optional<InverseDesign> Stages::improve(Stage& stage, const Eigen::Matrix3Xd& targets) {
   const DesignRequest& request = scene_.design;
   const int stepCount = request.compensateRounds + request.optimiseSteps;
-  if (stepCount == 0 || interruptRequested() || !stage.onDevice) {
+  if ((stepCount == 0 && !request.enforceShrinkage) || interruptRequested() || !stage.onDevice) {
     return std::nullopt;
   }
   ProgressLine progress("inverse design", scene_.solve.tolerance);
@@ -137,14 +138,24 @@ Stage Stages::runInPlane(const GridDesign& design) {
   showOnDevice(stage);
   judge(stage, Motions::inPlane);
   hands_.draw([&](Pictures& pictures) {
-    pictures.drawFlat("in_plane", "in plane: as printed", *stage.onDevice,
+    pictures.drawFlat("in_plane", "in plane: the layer to be printed", *stage.onDevice,
                       stage.equilibrium.positions);
   });
   return stage;
 }
 
 Stage Stages::runFull(const GridDesign& design, const Eigen::Matrix3Xd& printedLayer) {
-  Stage stage = prepare(stackedGrid(design, scene_.weights, scene_.scaling, printedLayer));
+  const auto stackedAt = [&](double scale) {
+    return stackedGrid(design, scene_.weights, scene_.scaling, scale * printedLayer);
+  };
+  StrutGrid grid = stackedAt(1);
+  double printScale = 1;
+  if (scene_.design.enforceShrinkage) {
+    printScale = choosePrintScale(grid, scene_.design.maxShrinkage);
+    grid = stackedAt(printScale);
+  }
+  Stage stage = prepare(std::move(grid));
+  stage.printScale = printScale;
   hands_.draw([&](Pictures& pictures) {
     pictures.drawFlat("stacked", "stacked: all layers, before the morph", *stage.onDevice,
                       stage.grid.positions);

@@ -11,6 +11,7 @@ struct Stage {
   StrutGrid grid;
   std::unique_ptr<DeviceGrid> onDevice;  ///< None in runs on the CPU, or when it did not fit.
   Equilibrium equilibrium;
+  double printScale = 1;  ///< Of the flat sheet, see choosePrintScale().
 };
 
 /// The two stages of a run. A device that fails ends a solve where it stood.
@@ -22,7 +23,8 @@ class Stages {
 
   /// One layer of square cells morphs in its plane to what is printed.
   Stage runInPlane(const GridDesign& design);
-  /// The printed layer, stacked, morphs in space.
+  /// The printed layer, enlarged when every strut has to shrink within the material's bound, and
+  /// stacked, morphs in space.
   Stage runFull(const GridDesign& design, const Eigen::Matrix3Xd& printedLayer);
   /// Other rest lengths, which bring the full stage closer to its targets (3 x layerVertexCount),
   /// as the scene asks for; nothing when it does not or the device fails. Then the stage stays.

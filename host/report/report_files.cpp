@@ -336,13 +336,18 @@ void addFeasibility(Table& table, const RunRecord& record) {
   }
 }
 
-void addInverse(Table& table, const std::optional<InverseDesign>& inverse) {
-  if (inverse) {
-    const InverseStep& first = inverse->steps.front();
-    const InverseStep& last = inverse->steps.back();
+void addInverse(Table& table, const RunRecord& record) {
+  if (record.printScale != 1) {
+    table.line(fmt::format("  printed {:.3f} times as large as the in-plane stage left the sheet",
+                           record.printScale));
+  }
+  if (record.inverse) {
+    const std::vector<InverseStep>& steps = record.inverse->steps;
+    const InverseStep& first = steps.front();
+    const InverseStep& last = steps.back();
     table.line(fmt::format(
         "  inverse design: {} steps ({}), distance {:.3g} / {:.3g} to {:.3g} / {:.3g} %, {:.2f} s",
-        inverse->steps.size() - 1, inverse->ending, first.rmsPercent, first.maxPercent,
+        steps.size() - 1, record.inverse->ending, first.rmsPercent, first.maxPercent,
         last.rmsPercent, last.maxPercent, last.seconds));
   }
 }
@@ -383,6 +388,7 @@ std::string toJson(const RunRecord& record) {
       {"mesh", orNull(record.mesh)},
       {"measurement", orNull(record.measurement)},
       {"in_plane", orNull(record.inPlane)},
+      {"print_scale", record.printScale},
       {"full", orNull(record.full)},
       {"inverse_design", orNull(record.inverse)},
       {"errors", orNull(record.errors)},
@@ -431,7 +437,7 @@ std::string toTable(const RunRecord& record) {
   addResults(table, record, paper);
   addStage(table, "in plane:", record.inPlane);
   addStage(table, "full:", record.full);
-  addInverse(table, record.inverse);
+  addInverse(table, record);
   return table.text();
 }
 

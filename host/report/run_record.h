@@ -76,6 +76,7 @@ struct RunRecord {
   std::optional<NetFigures> net;                  ///< Not for grids given by bend angles.
   std::optional<MeshFigures> mesh;                ///< Only for meshes.
   std::optional<Equilibrium> inPlane;
+  double printScale = 1;  ///< Of the sheet that the in-plane stage left, see choosePrintScale().
   std::optional<Equilibrium> full;       ///< Not for grids of one layer.
   std::optional<InverseDesign> inverse;  ///< Its equilibrium is that of `full`.
   std::optional<StrutErrors> errors;
