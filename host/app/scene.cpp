@@ -34,18 +34,17 @@ Scene readScene(TomlReader& reader, const std::filesystem::path& file) {
 
 /// Inverse design simulates, step by step.
 void requireWhatInverseDesignNeeds(const Scene& scene) {
-  if (scene.design.compensateRounds + scene.design.optimiseSteps == 0) {
+  const DesignRequest& design = scene.design;
+  if (design.compensateRounds + design.optimiseSteps == 0 && !design.enforceShrinkage) {
     return;
   }
+  const char* keys = "design.compensate, design.optimise and design.enforce_shrinkage";
   if (scene.method != Method::multigrid) {
     throw InputError(
-        fmt::format("{}: design.compensate and design.optimise need solver.method = \"multigrid\"",
-                    scene.file.string()));
+        fmt::format("{}: {} need solver.method = \"multigrid\"", scene.file.string(), keys));
   }
   if (scene.design.layers == 1) {
-    throw InputError(
-        fmt::format("{}: design.compensate and design.optimise need grid.layers >= 2, got 1",
-                    scene.file.string()));
+    throw InputError(fmt::format("{}: {} need grid.layers >= 2, got 1", scene.file.string(), keys));
   }
 }
 
