@@ -13,6 +13,7 @@
 #include "solve/checkpoint_pace.h"
 #include "solve/control_comp.h"
 #include "solve/energy.h"
+#include "solve/loaded_rest.h"
 #include "solve/sweep_comp.h"
 #include "solve/sweep_precise_comp.h"
 
@@ -32,18 +33,6 @@ constexpr long kPatience = 20000;  // Sweeps without a new best residual that en
 
 Buffer hostStorage(const Device& device, std::size_t bytes) {
   return {device, bytes, vk::BufferUsageFlagBits::eStorageBuffer, MemoryKind::host};
-}
-
-/// Rest lengths on the way from the struts' initial lengths (share 0) to the designed ones (1).
-StrutValues loadedRest(const StrutGrid& grid, double share) {
-  StrutValues rest = grid.rest;
-  if (share < 1) {
-    for (const Strut& strut : listStruts(grid.shape)) {
-      const double initial = (grid.positions.col(strut.to) - grid.positions.col(strut.from)).norm();
-      valueAt(rest, strut) = initial + share * (valueAt(grid.rest, strut) - initial);
-    }
-  }
-  return rest;
 }
 
 }  // namespace
