@@ -41,6 +41,18 @@ void noteSaddle(RunRecord& record, const char* stage, const Equilibrium& equilib
   }
 }
 
+void noteOtherWay(RunRecord& record) {
+  const auto& inverse = record.inverse;
+  if (inverse && inverse->fromFlat && !inverse->fromFlat->sameEquilibrium) {
+    record.notices.push_back(fmt::format(
+        "the optimised grid has more than one equilibrium: from flat it morphs into another, "
+        "{:.3g} "
+        "% (RMS) from the target; help it by hand, or try another grid.layer_spacing or "
+        "design.optimise",
+        inverse->fromFlat->rmsPercent));
+  }
+}
+
 ClosestPointQuery closestPointsOfTarget(const Scene& scene) {
   return scene.mesh ? ClosestPointQuery(scene.mesh->mesh.vertices, scene.mesh->mesh.triangles)
                     : closestPointsOf(*scene.surface);
@@ -173,6 +185,7 @@ RunRecord runScene(const Scene& scene, const RunOptions& options) {
     record.printScale = stage.printScale;
     if (designed.targets) {
       record.inverse = stages.improve(stage, *designed.targets);
+      noteOtherWay(record);
     }
     record.full = stage.equilibrium;
     noteSaddle(record, "full", *record.full);

@@ -1,10 +1,14 @@
 #include "inverse/inverse_design.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <utility>
 
 #include "core/interrupt.h"
+#include "solve/morph_course.h"
 #include "solve/multigrid_solver.h"
 
 namespace morphgrid {
@@ -21,6 +25,14 @@ constexpr int kLineSearchSteps = 6;
 constexpr double kBacktracking = 0.3;
 // On the way an equilibrium need not be better than the distance that it is measured for.
 constexpr double kEnergyTolerance = 1e-8;
+// After so many steps the equilibrium is solved as well as the last one will be.
+constexpr int kStepsToSettle = 10;
+// So many times the objective: the grid has left for another equilibrium.
+constexpr double kGaveWay = 1.1;
+// Of the slow morph from flat.
+constexpr int kMorphSteps = 4;
+// Relative: equilibria whose energies differ by more are not the same.
+constexpr double kSameEnergy = 1e-5;
 // No longer falls: the objective, over so many steps, by less than this share.
 constexpr std::size_t kPatience = 6;
 constexpr double kLeastFall = 0.02;
@@ -72,13 +84,23 @@ InverseDesign InverseDesigner::run(Equilibrium first) {
   start_ = now();
   begin(std::move(first));
   compensate();
+  if (!settle()) {
+    state_ = kept_;
+  }
   optimise();
-  state_ = morphed(state_.rest, options_.solve.energyTolerance);
   if (interruptRequested()) {
     result_.ending = "interrupted";
   }
-  lateral_.set(grid_, state_.rest);
-  result_.equilibrium = std::move(state_.equilibrium);
+  if (!settle()) {
+    result_.ending =
+        fmt::format("in step {} the grid left for another equilibrium", result_.steps.size() - 1);
+    result_.steps.resize(keptSteps_);
+  }
+  lateral_.set(grid_, kept_.rest);
+  morphFromFlat();
+  deviceGrid_.uploadRest(grid_.rest);
+  deviceGrid_.uploadPositions(kept_.equilibrium.positions);
+  result_.equilibrium = std::move(kept_.equilibrium);
   return std::move(result_);
 }
 
@@ -91,6 +113,36 @@ void InverseDesigner::begin(Equilibrium first) {
   }
   result_.ending = "all steps done";
   log(InverseStep::Kind::design, 0);
+  keep();
+}
+
+void InverseDesigner::keep() {
+  kept_ = state_;
+  keptSteps_ = result_.steps.size();
+}
+
+/// Keeps the present design if its equilibrium holds when it is solved to the end.
+bool InverseDesigner::settle() {
+  State settled = morphed(state_.rest, options_.solve.energyTolerance);
+  if (settled.error.objective > kGaveWay * state_.error.objective) {
+    return false;
+  }
+  state_ = std::move(settled);
+  keep();
+  return true;
+}
+
+/// What is printed starts flat, not at the last design's equilibrium.
+void InverseDesigner::morphFromFlat() {
+  const Equilibrium end =
+      followMorph(device_, grid_, {.steps = kMorphSteps, .solve = options_.solve}).end;
+  if (interruptRequested()) {
+    return;
+  }
+  const double energy = kept_.equilibrium.energy;
+  result_.fromFlat =
+      FromFlat{.sameEquilibrium = std::abs(end.energy - energy) <= kSameEnergy * energy,
+               .rmsPercent = computeShapeError(grid_.shape, end.positions, targets_).rmsPercent};
 }
 
 /// Solves from the present state with other rest lengths.
@@ -156,6 +208,9 @@ void InverseDesigner::optimise() {
     lbfgs_.add(state_.rest - before, newSlope - slope);
     slope = newSlope;
     log(InverseStep::Kind::optimise, step);
+    if (step % kStepsToSettle == 0 && !settle()) {
+      return;
+    }
     objectives_.push_back(state_.error.objective);
     if (!falls()) {
       result_.ending = "the distance no longer falls";

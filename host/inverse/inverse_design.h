@@ -42,10 +42,19 @@ struct InverseOptions {
   std::function<void(const InverseStep&)> onStep;  ///< May be empty.
 };
 
+/// Where the chosen design gets by a slow morph from the printed sheet, see followMorph().
+struct FromFlat {
+  bool sameEquilibrium;  ///< That of the inverse design.
+  double rmsPercent;     ///< Distance to the target, see ShapeError.
+};
+
 struct InverseDesign {
-  Equilibrium equilibrium;  ///< Of the best design found.
-  std::vector<InverseStep> steps;
-  std::string ending;  ///< "all steps done", "the distance no longer falls", "interrupted".
+  Equilibrium equilibrium;         ///< Of the design that was kept.
+  std::vector<InverseStep> steps;  ///< Up to the design that was kept.
+  /// "all steps done", "the distance no longer falls", "interrupted", "in step N the grid left for
+  /// another equilibrium".
+  std::string ending;
+  std::optional<FromFlat> fromFlat;  ///< Not after an interruption.
 };
 
 /// Chooses lateral rest lengths so that the simulated grid, not the single strut, meets its target:
@@ -71,6 +80,9 @@ class InverseDesigner {
   void begin(Equilibrium first);
   void compensate();
   void optimise();
+  void keep();
+  bool settle();
+  void morphFromFlat();
   bool searchLine(const Eigen::VectorXd& direction);
   State morphed(const Eigen::VectorXd& rest, double energyTolerance);
   Eigen::VectorXd gradient();
@@ -90,6 +102,8 @@ class InverseDesigner {
   BoundedLbfgs lbfgs_;
   AdjointSolver adjoint_;
   State state_;
+  State kept_;
+  std::size_t keptSteps_ = 0;
   InverseDesign result_;
   std::vector<double> objectives_;  ///< After each step of optimise().
   long cycles_ = 0;

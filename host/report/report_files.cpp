@@ -52,12 +52,18 @@ ordered_json toJson(const InverseStep& step) {
           {"seconds", step.seconds}};
 }
 
+ordered_json toJson(const FromFlat& fromFlat) {
+  return {{"same_equilibrium", fromFlat.sameEquilibrium}, {"rms_percent", fromFlat.rmsPercent}};
+}
+
 ordered_json toJson(const InverseDesign& inverse) {
   ordered_json steps = ordered_json::array();
   for (const InverseStep& step : inverse.steps) {
     steps.push_back(toJson(step));
   }
-  return {{"ending", inverse.ending}, {"steps", std::move(steps)}};
+  return {{"ending", inverse.ending},
+          {"from_flat", inverse.fromFlat ? toJson(*inverse.fromFlat) : ordered_json(nullptr)},
+          {"steps", std::move(steps)}};
 }
 
 ordered_json toJson(const std::vector<CutoffConsequence>& cutoffs) {

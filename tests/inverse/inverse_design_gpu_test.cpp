@@ -103,6 +103,10 @@ TEST_F(InverseDesignTest, OptimisationMeetsAReachableTarget) {
     EXPECT_LT(result.steps[n].rmsPercent, result.steps[n - 1].rmsPercent);
   }
   EXPECT_TRUE(result.equilibrium.converged);
+  ASSERT_TRUE(result.fromFlat);
+  EXPECT_TRUE(result.fromFlat->sameEquilibrium);
+  EXPECT_NEAR(result.fromFlat->rmsPercent, result.steps.back().rmsPercent,
+              0.01 * result.steps.front().rmsPercent);
 }
 
 TEST_F(InverseDesignTest, ShrinkStaysWithinItsBound) {
