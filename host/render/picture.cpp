@@ -18,8 +18,8 @@ namespace {
 constexpr Color kInk = {45, 50, 60};
 constexpr std::string_view kEllipsis = "…";
 constexpr double kSmallestLetters = 9;  // Pixels.
-constexpr double kLettersPerSide = 44;  // Of the picture.
 constexpr double kLineHeight = 1.05;    // In letters.
+constexpr double kCaptionLineHeight = 1.2;
 
 /// Where things stand below the scene, in pixels; all follows from the size of the letters.
 struct Footer {
@@ -32,7 +32,7 @@ struct Footer {
 
 Footer layOutFooter(const PictureOptions& options) {
   const double side = std::min(0.75 * options.width, 1.0 * options.height);
-  const double letters = std::max(kSmallestLetters, std::round(side / kLettersPerSide));
+  const double letters = std::max(kSmallestLetters, std::round(side / options.lettersPerSide));
   const auto inLetters = [&](double count) {
     return static_cast<int>(std::lround(count * letters));
   };
@@ -110,13 +110,37 @@ std::string fitted(std::string text, const Font& font, double letters, double wi
   return text + std::string(kEllipsis);
 }
 
+/// Where the second line begins: after the last word that fits on the first; 0 where none fits.
+std::size_t secondLine(const std::string& text, const Font& font, double letters, double width) {
+  std::size_t begin = 0;
+  for (std::size_t space = text.find(' ');
+       space != std::string::npos && font.widthOf(text.substr(0, space), letters) <= width;
+       space = text.find(' ', space + 1)) {
+    begin = space + 1;
+  }
+  return begin;
+}
+
+std::vector<std::string> linesOf(const std::string& caption, const Font& font, double letters,
+                                 double width) {
+  const std::size_t second = secondLine(caption, font, letters, width);
+  if (second == 0 || font.widthOf(caption, letters) <= width) {
+    return {fitted(caption, font, letters, width)};
+  }
+  return {caption.substr(0, second - 1), fitted(caption.substr(second), font, letters, width)};
+}
+
 void drawCaption(Image& image, const Footer& footer, const Font& font,
                  const PictureOptions& options) {
   const double right = options.legend
                            ? legendLeft(footer, font, *options.legend) - 2 * footer.letters
                            : options.width - footer.margin;
-  font.write(image, fitted(options.caption, font, footer.letters, right - footer.margin),
-             footer.letters, footer.margin, footer.baseline, kInk);
+  double baseline = footer.baseline;
+  for (const std::string& line :
+       linesOf(options.caption, font, footer.letters, right - footer.margin)) {
+    font.write(image, line, footer.letters, footer.margin, baseline, kInk);
+    baseline += kCaptionLineHeight * footer.letters;
+  }
 }
 
 }  // namespace

@@ -12,8 +12,9 @@ namespace morphgrid {
 struct PictureOptions {
   int width = 1280;     ///< Of the whole, in pixels, >= kSmallestPicture
   int height = 960;     ///< Of the whole, in pixels, >= kSmallestPicture
-  std::string caption;  ///< One line of UTF-8; cut short where it does not fit.
+  std::string caption;  ///< UTF-8; on two lines where it must, then cut short.
   std::optional<Legend> legend;
+  double lettersPerSide = 44;  ///< How many lines of text would be as high as the picture, > 0.
 };
 
 constexpr int kSmallestPicture = 64;

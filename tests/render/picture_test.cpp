@@ -135,6 +135,22 @@ TEST(Picture, LongCaptionIsCutBeforeTheLegend) {
   EXPECT_GT(coloredBox(pictureOf(options(caption, false))).right, 700);
 }
 
+TEST(Picture, LongCaptionGoesOnOnASecondLine) {
+  const auto boxOf = [](int words) {
+    std::string caption;
+    for (int n = 0; n < words; ++n) {
+      caption += "word ";
+    }
+    return coloredBox(pictureOf(options(caption, false)));
+  };
+  const PixelBox once = boxOf(10), twice = boxOf(35), often = boxOf(100);
+  EXPECT_EQ(twice.top, once.top);
+  EXPECT_GT(twice.bottom, once.bottom + 8);
+  EXPECT_EQ(often.bottom, twice.bottom) << "there is no third line";
+  EXPECT_LT(often.bottom, 599);
+  EXPECT_LT(often.right, 799);
+}
+
 TEST(Picture, CutCaptionStaysUtf8) {
   EXPECT_NO_THROW(pictureOf(options("°°°°°°°°°°°°°°°°°°°°°°°°°°°°°°°°°°°", true, 64, 64)));
 }
