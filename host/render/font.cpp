@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "core/error.h"
 #include "core/read_file.h"
@@ -21,6 +22,22 @@ constexpr const char* kSansFiles[] = {
     "/usr/share/fonts/dejavu-sans-fonts/DejaVuSans.ttf",
     "/usr/share/fonts/TTF/DejaVuSans.ttf",
 };
+constexpr const char* kMonoFiles[] = {
+    "/usr/share/fonts/truetype/dejavu/DejaVuSansMono.ttf",
+    "/usr/share/fonts/dejavu-sans-mono-fonts/DejaVuSansMono.ttf",
+    "/usr/share/fonts/TTF/DejaVuSansMono.ttf",
+};
+
+std::filesystem::path firstOf(std::span<const char* const> files) {
+  for (const char* file : files) {
+    if (std::filesystem::exists(file)) {
+      return file;
+    }
+  }
+  throw InputError(fmt::format(
+      "{}: the font of the pictures is not installed: apt-get install fonts-dejavu-core",
+      files.front()));
+}
 
 std::vector<std::uint8_t> readBytes(const std::filesystem::path& file) {
   const std::string bytes = readFile(file);
@@ -115,16 +132,8 @@ Font::Font(const std::filesystem::path& file)
 Font::Font(Font&&) noexcept = default;
 Font::~Font() = default;
 
-Font Font::findSans() {
-  for (const char* file : kSansFiles) {
-    if (std::filesystem::exists(file)) {
-      return Font(file);
-    }
-  }
-  throw InputError(fmt::format(
-      "{}: the font of the pictures is not installed: apt-get install fonts-dejavu-core",
-      kSansFiles[0]));
-}
+Font Font::findSans() { return Font(firstOf(kSansFiles)); }
+Font Font::findMono() { return Font(firstOf(kMonoFiles)); }
 
 float Font::scaleFor(double size) const {
   return stbtt_ScaleForPixelHeight(info_.get(), static_cast<float>(size));

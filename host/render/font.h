@@ -23,6 +23,8 @@ class Font {
 
   /// DejaVu Sans where Linux distributions put it. Throws InputError that says what to install.
   static Font findSans();
+  /// DejaVu Sans Mono, alike: for tables.
+  static Font findMono();
 
   /// In pixels, of UTF-8 text in letters of `size` pixels from ascender to descender.
   double widthOf(std::string_view text, double size) const;
