@@ -34,61 +34,48 @@ StrutValues dividedBy(StrutValues values, double divisor) {
   return values;
 }
 
-PictureOptions optionsFor(const PictureChoices& choices) {
-  return {.width = choices.width, .height = choices.height, .caption = {}, .legend = {}};
-}
-
 }  // namespace
 
-Pictures::Pictures(const Device& device, const PictureChoices& choices,
-                   std::filesystem::path folder, View resultView)
+Pictures::Pictures(const Device& device, const PictureOptions& picture, ShowPanel show,
+                   View resultView)
     : device_(device),
-      options_(optionsFor(choices)),
-      folder_(std::move(folder)),
+      size_(sceneSize(picture)),
+      show_(std::move(show)),
       resultView_(std::move(resultView)),
-      renderer_(device, sceneSize(options_).width, sceneSize(options_).height) {
+      renderer_(device, size_.width, size_.height) {
   Font::findSans();  // A missing font is told before the solve, not after it.
 }
 
 Camera Pictures::frame(const Eigen::Matrix3Xd& points, const View& view) const {
-  return frameAll(points, view.direction, view.up, sceneSize(options_).aspect());
-}
-
-void Pictures::write(const std::string& name, const std::string& caption, const Image& scene,
-                     std::optional<Legend> legend) const {
-  PictureOptions options = options_;
-  options.caption = caption;
-  options.legend = std::move(legend);
-  writePng(folder_ / (name + ".png"), composePicture(scene, options));
+  return frameAll(points, view.direction, view.up, size_.aspect());
 }
 
 void Pictures::drawSampling(const TriangleMesh& mesh, const RayHits& hits) const {
-  const SceneSize size = sceneSize(options_);
   const bool missed = std::find(hits.hit.begin(), hits.hit.end(), 0) != hits.hit.end();
-  const Camera camera = frameRays(mesh, hits, size.aspect());
-  write("sampling",
-        fmt::format("sampling: rays, u splines red, v splines blue{}",
-                    missed ? ", missed rays orange" : ""),
-        morphgrid::drawSampling(device_, mesh, hits, camera, size.width, size.height));
+  const Camera camera = frameRays(mesh, hits, size_.aspect());
+  show_("sampling",
+        {morphgrid::drawSampling(device_, mesh, hits, camera, size_.width, size_.height),
+         fmt::format("sampling: rays, u splines red, v splines blue{}",
+                     missed ? ", missed rays orange" : ""),
+         {}});
 }
 
 void Pictures::drawFlat(const std::string& name, const std::string& caption,
                         const DeviceGrid& deviceGrid, const Eigen::Matrix3Xd& positions) {
   const auto inPlace = Eigen::Isometry3d::Identity();
-  write(name, caption, renderer_.drawStruts(deviceGrid, inPlace, frame(positions, kPatchView)),
-        strainLegend());
+  show_(name, {renderer_.drawStruts(deviceGrid, inPlace, frame(positions, kPatchView)), caption,
+               strainLegend()});
 }
 
 void Pictures::drawShrink(const StrutGrid& stacked, double maxShrinkage) const {
-  const SceneSize size = sceneSize(options_);
-  const StrutGrid layers = spreadLayers(stacked, size.aspect());
+  const StrutGrid layers = spreadLayers(stacked, size_.aspect());
   const DeviceGrid deviceGrid(device_, layers);
-  write("shrink",
-        fmt::format("shrink: layers side by side, bottom first; 100 % is the allowed {:g} %",
-                    100 * maxShrinkage),
-        drawStrutShares(device_, deviceGrid, dividedBy(computeShrinks(stacked), maxShrinkage),
-                        frame(layers.positions, kTopView), size.width, size.height),
-        shrinkLegend());
+  show_("shrink",
+        {drawStrutShares(device_, deviceGrid, dividedBy(computeShrinks(stacked), maxShrinkage),
+                         frame(layers.positions, kTopView), size_.width, size_.height),
+         fmt::format("shrink: layers side by side, bottom first; 100 % is the allowed {:g} %",
+                     100 * maxShrinkage),
+         shrinkLegend()});
 }
 
 void Pictures::drawDistance(const PlacedGrid& result, const DeviceGrid& target,
@@ -97,11 +84,11 @@ void Pictures::drawDistance(const PlacedGrid& result, const DeviceGrid& target,
   const Eigen::VectorXd distances = (alignedMiddle - targets).colwise().norm();
   const double largest = distances.maxCoeff();
   const double diagonal = (targets.rowwise().maxCoeff() - targets.rowwise().minCoeff()).norm();
-  const SceneSize size = sceneSize(options_);
-  write("distance", "distance to the overlaid target: % of its diagonal, and length",
-        drawSurfaceShares(device_, result, distances / (largest > 0 ? largest : 1),
-                          {target, Eigen::Isometry3d::Identity()}, camera, size.width, size.height),
-        distanceLegend(largest, 100 * largest / diagonal));
+  show_("distance", {drawSurfaceShares(device_, result, distances / (largest > 0 ? largest : 1),
+                                       {target, Eigen::Isometry3d::Identity()}, camera, size_.width,
+                                       size_.height),
+                     "distance to the overlaid target: % of its diagonal, and length",
+                     distanceLegend(largest, 100 * largest / diagonal)});
 }
 
 void Pictures::drawResult(const DeviceGrid& deviceGrid, const Eigen::Matrix3Xd& positions,
@@ -114,14 +101,16 @@ void Pictures::drawResult(const DeviceGrid& deviceGrid, const Eigen::Matrix3Xd& 
     seen.rightCols(targets->cols()) = *targets;
   }
   const Camera camera = frame(seen, resultView_);
-  write("warped", "warped: struts by strain",
-        renderer_.drawStruts(deviceGrid, targetFromGrid, camera), strainLegend());
-  write("surface", "surface: the middle layer",
-        renderer_.drawSurface(deviceGrid, targetFromGrid, camera));
+  show_("warped", {renderer_.drawStruts(deviceGrid, targetFromGrid, camera),
+                   "warped: struts by strain", strainLegend()});
+  show_(
+      "surface",
+      {renderer_.drawSurface(deviceGrid, targetFromGrid, camera), "surface: the middle layer", {}});
   if (targets) {
     const StrutGrid grid = targetGrid(deviceGrid.shape(), deviceGrid.spacing(), *targets);
     const DeviceGrid target(device_, grid);
-    write("target", "target", renderer_.drawSurface(target, Eigen::Isometry3d::Identity(), camera));
+    show_("target",
+          {renderer_.drawSurface(target, Eigen::Isometry3d::Identity(), camera), "target", {}});
     drawDistance({deviceGrid, targetFromGrid}, target, middleLayer(deviceGrid.shape(), aligned),
                  *targets, camera);
   }

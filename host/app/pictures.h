@@ -1,24 +1,26 @@
 #pragma once
-#include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 
-#include "app/scene.h"
 #include "render/draw_shares.h"
-#include "render/picture.h"
+#include "render/sheet.h"
 #include "render/strain_renderer.h"
 #include "surface/mesh_ray_caster.h"
 
 namespace morphgrid {
 
-/// Draws the panels of a run into its folder, from the solver's buffers.
+/// What becomes of a drawn panel; its name is that of a file without an extension.
+using ShowPanel = std::function<void(const std::string& name, const Panel& panel)>;
+
+/// Draws the panels of a run, from the solver's buffers.
 class Pictures {
  public:
-  /// resultView: where drawResult() looks from.
-  Pictures(const Device& device, const PictureChoices& choices, std::filesystem::path folder,
+  /// picture: its size. resultView: where drawResult() looks from.
+  Pictures(const Device& device, const PictureOptions& picture, ShowPanel show,
            View resultView = kPatchView);
 
-  /// How rays sampled a mesh (sampling.png).
+  /// How rays sampled a mesh (sampling).
   void drawSampling(const TriangleMesh& mesh, const RayHits& hits) const;
 
   /// A flat stage in its own frame. positions: what the device grid holds, to frame it by.
@@ -26,27 +28,24 @@ class Pictures {
                 const Eigen::Matrix3Xd& positions);
 
   /// The lateral struts of the printed layers, drawn apart, by how much of what they can shrink
-  /// they use (shrink.png).
+  /// they use (shrink).
   void drawShrink(const StrutGrid& stacked, double maxShrinkage) const;
 
-  /// The morphed struts (warped.png), the surface of the middle layer (surface.png) and, where
-  /// there is a target, that (target.png) and the distance to it (distance.png), all seen by the
-  /// same camera.
+  /// The morphed struts (warped), the surface of the middle layer (surface) and, where there is a
+  /// target, that (target) and the distance to it (distance), all seen by the same camera.
   void drawResult(const DeviceGrid& deviceGrid, const Eigen::Matrix3Xd& positions,
                   const Eigen::Isometry3d& targetFromGrid,
                   const std::optional<Eigen::Matrix3Xd>& targets);
 
  private:
   Camera frame(const Eigen::Matrix3Xd& points, const View& view) const;
-  void write(const std::string& name, const std::string& caption, const Image& scene,
-             std::optional<Legend> legend = std::nullopt) const;
   void drawDistance(const PlacedGrid& result, const DeviceGrid& target,
                     const Eigen::Matrix3Xd& alignedMiddle, const Eigen::Matrix3Xd& targets,
                     const Camera& camera) const;
 
   const Device& device_;
-  PictureOptions options_;
-  std::filesystem::path folder_;
+  SceneSize size_;
+  ShowPanel show_;
   View resultView_;
   StrainRenderer renderer_;
 };

@@ -1,17 +1,13 @@
 #include "app/pipeline.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <chrono>
-#include <memory>
 
-#include "app/design_scene.h"
+#include "app/simulate_scene.h"
 #include "app/solve_room.h"
-#include "app/stages.h"
 #include "core/atomic_file.h"
 #include "core/error.h"
-#include "core/rigid_alignment.h"
 #include "export/gltf.h"
 #include "export/surface_files.h"
 #include "export/vtu.h"
@@ -29,40 +25,6 @@ void createFolder(const std::filesystem::path& folder) {
     throw InputError(
         fmt::format("--out {}: the folder cannot be made: {}", folder.string(), error.message()));
   }
-}
-
-void noteSaddle(RunRecord& record, const char* stage, const Equilibrium& equilibrium) {
-  if (verdictOf(equilibrium) == Verdict::saddle) {
-    record.notices.push_back(
-        fmt::format("the {} stage ended at a saddle, not at a minimum: there is a motion along "
-                    "which the energy "
-                    "falls; try another solver.method, grid.layer_spacing or grid.nodes_long",
-                    stage));
-  }
-}
-
-void noteOtherWay(RunRecord& record) {
-  const auto& inverse = record.inverse;
-  if (inverse && inverse->fromFlat && !inverse->fromFlat->sameEquilibrium) {
-    record.notices.push_back(fmt::format(
-        "the optimised grid has more than one equilibrium: from flat it morphs into another, "
-        "{:.3g} "
-        "% (RMS) from the target; help it by hand, or try another grid.layer_spacing or "
-        "design.optimise",
-        inverse->fromFlat->rmsPercent));
-  }
-}
-
-ClosestPointQuery closestPointsOfTarget(const Scene& scene) {
-  return scene.mesh ? ClosestPointQuery(scene.mesh->mesh.vertices, scene.mesh->mesh.triangles)
-                    : closestPointsOf(*scene.surface);
-}
-
-/// Brings the result to where the target lies; without a target, to where it was printed.
-Eigen::Isometry3d alignResult(const Stage& stage, const std::optional<Eigen::Matrix3Xd>& targets) {
-  const Eigen::Matrix3Xd& positions = stage.equilibrium.positions;
-  return targets ? alignRigidly(middleLayer(stage.grid.shape, positions), *targets)
-                 : alignRigidly(positions, stage.grid.positions);
 }
 
 void exportFiles(const Stage& stage, const Eigen::Isometry3d& targetFromGrid,
@@ -85,24 +47,10 @@ void exportFiles(const Stage& stage, const Eigen::Isometry3d& targetFromGrid,
   }
 }
 
-void requireSilence(const Device& device) {
-  if (!device.validationMessages().empty()) {
-    throw DeviceError(fmt::format("the validation layers complain:\n{}",
-                                  fmt::join(device.validationMessages(), "\n")));
-  }
-}
-
-Stagehands summonStagehands(const Scene& scene, const RunOptions& options,
-                            const std::filesystem::path& folder) {
-  Stagehands hands;
-  if (scene.method != Method::reference || scene.pictures.enabled) {
-    hands.device = std::make_unique<Device>(options.device);
-  }
-  if (scene.pictures.enabled) {
-    hands.pictures = std::make_unique<Pictures>(*hands.device, scene.pictures, folder,
-                                                scene.mesh ? kMeshView : kPatchView);
-  }
-  return hands;
+void writePicture(const std::filesystem::path& path, const Panel& panel, PictureOptions options) {
+  options.caption = panel.caption;
+  options.legend = panel.legend;
+  writePng(path, composePicture(panel.scene, options));
 }
 
 /// Throws InputError before anything is solved: nobody wants to learn it after hours.
@@ -119,28 +67,6 @@ CheckpointKeeper checkpointKeeper(const Scene& scene, const GridDesign& design,
     keeper.resume(std::move(checkpoint));
   }
   return keeper;
-}
-
-void requireRoom(const Scene& scene, const GridShape& shape, const Stagehands& hands) {
-  if (hands.device) {
-    if (const auto reason = whyTooLarge(shape, scene.method, roomOn(*hands.device))) {
-      throw InputError(fmt::format("{}: {}", scene.file.string(), *reason));
-    }
-  }
-}
-
-/// What of the design and of its result cannot be printed, or cannot be.
-void examine(const Stage& stage, const Scene& scene, RunRecord& record) {
-  const auto tell = [&](const std::vector<std::string>& advice) {
-    record.notices.insert(record.notices.end(), advice.begin(), advice.end());
-  };
-  if (record.full) {
-    record.shrink = computeShrink(stage.grid, scene.design.maxShrinkage);
-    tell(adviseOn(*record.shrink, scene.design.maxShrinkage));
-  }
-  record.feasibility = examineFeasibility(stage.grid.shape, stage.equilibrium.positions,
-                                          scene.design.strutThickness);
-  tell(adviseOn(*record.feasibility));
 }
 
 }  // namespace
@@ -162,53 +88,17 @@ RunRecord runScene(const Scene& scene, const RunOptions& options) {
   const auto start = std::chrono::steady_clock::now();
   const SceneDesign designed = designScene(scene);
   CheckpointKeeper keeper = checkpointKeeper(scene, designed.design, options);
-  RunRecord record = recordOf(scene, designed);
-
   const std::filesystem::path& folder = options.outputFolder;
-  Stagehands hands = summonStagehands(scene, options, folder);
-  requireRoom(scene, record.grid.shape, hands);
+  const PictureOptions picture{.width = scene.pictures.width, .height = scene.pictures.height};
+  Stagehands hands = summonStagehands(scene, designed, options.device, picture,
+                                      [&](const std::string& name, const Panel& panel) {
+                                        writePicture(folder / (name + ".png"), panel, picture);
+                                      });
   createFolder(folder);
-  if (designed.sampling) {
-    hands.draw([&](Pictures& pictures) {
-      pictures.drawSampling(scene.mesh->mesh, designed.sampling->hits);
-    });
-  }
-  record.device =
-      scene.method == Method::reference ? "CPU, double precision" : hands.device->name();
-
-  Stages stages(scene, hands, keeper, options.quiet);
-  Stage stage = stages.runInPlane(designed.design);
-  record.inPlane = stage.equilibrium;
-  noteSaddle(record, "in-plane", *record.inPlane);
-  if (designed.design.layers > 1) {
-    stage = stages.runFull(designed.design, record.inPlane->positions);
-    record.printScale = stage.printScale;
-    if (designed.targets) {
-      record.inverse = stages.improve(stage, *designed.targets);
-      noteOtherWay(record);
-    }
-    record.full = stage.equilibrium;
-    noteSaddle(record, "full", *record.full);
-  }
-
-  const Eigen::Matrix3Xd& positions = stage.equilibrium.positions;
-  record.errors = computeStrutErrors(designed.design, stage.grid, positions);
-  examine(stage, scene, record);
-  if (designed.targets) {
-    record.distance = computeTargetDistance(middleLayer(stage.grid.shape, positions),
-                                            *designed.targets, closestPointsOfTarget(scene));
-  }
-  const Eigen::Isometry3d targetFromGrid = alignResult(stage, designed.targets);
-  hands.draw([&](Pictures& pictures) {
-    pictures.drawResult(*stage.onDevice, positions, targetFromGrid, designed.targets);
-    if (record.full) {
-      pictures.drawShrink(stage.grid, scene.design.maxShrinkage);
-    }
-  });
-  exportFiles(stage, targetFromGrid, scene.files, folder);
-  if (hands.device && !hands.failure) {
-    requireSilence(*hands.device);
-  }
+  Simulation simulation = simulateScene(scene, designed, hands, keeper, options.quiet);
+  exportFiles(simulation.stage, simulation.targetFromGrid, scene.files, folder);
+  hands.requireSilence();
+  RunRecord& record = simulation.record;
   record.deviceFailure = hands.failure;
   record.secondsTotal =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -217,7 +107,7 @@ RunRecord runScene(const Scene& scene, const RunOptions& options) {
     writeFileAtomically(folder / "optimise.csv", toInverseCsv(*record.inverse));
   }
   writeFileAtomically(folder / "report.json", toJson(record));
-  return record;
+  return std::move(record);
 }
 
 }  // namespace morphgrid

@@ -3,6 +3,7 @@
 #include <optional>
 #include <string>
 
+#include "app/design_scene.h"
 #include "app/pictures.h"
 #include "core/error.h"
 
@@ -36,6 +37,16 @@ struct Stagehands {
       attempt([&] { work(*pictures); });
     }
   }
+
+  /// Throws DeviceError when the validation layers complained, unless the device failed anyway.
+  void requireSilence() const;
 };
+
+/// Those that the scene needs. picture: the size of the pictures; show: what becomes of them.
+/// Throws DeviceError when there is no device that will do, InputError when it has no room for the
+/// grid.
+Stagehands summonStagehands(const Scene& scene, const SceneDesign& designed,
+                            const DeviceOptions& device, const PictureOptions& picture,
+                            ShowPanel show);
 
 }  // namespace morphgrid

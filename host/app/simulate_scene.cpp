@@ -1,0 +1,103 @@
+#include "app/simulate_scene.h"
+
+#include <fmt/format.h>
+
+#include "core/rigid_alignment.h"
+
+namespace morphgrid {
+namespace {
+
+void noteSaddle(RunRecord& record, const char* stage, const Equilibrium& equilibrium) {
+  if (verdictOf(equilibrium) == Verdict::saddle) {
+    record.notices.push_back(
+        fmt::format("the {} stage ended at a saddle, not at a minimum: there is a motion along "
+                    "which the energy "
+                    "falls; try another solver.method, grid.layer_spacing or grid.nodes_long",
+                    stage));
+  }
+}
+
+void noteOtherWay(RunRecord& record) {
+  const auto& inverse = record.inverse;
+  if (inverse && inverse->fromFlat && !inverse->fromFlat->sameEquilibrium) {
+    record.notices.push_back(fmt::format(
+        "the optimised grid has more than one equilibrium: from flat it morphs into another, "
+        "{:.3g} "
+        "% (RMS) from the target; help it by hand, or try another grid.layer_spacing or "
+        "design.optimise",
+        inverse->fromFlat->rmsPercent));
+  }
+}
+
+ClosestPointQuery closestPointsOfTarget(const Scene& scene) {
+  return scene.mesh ? ClosestPointQuery(scene.mesh->mesh.vertices, scene.mesh->mesh.triangles)
+                    : closestPointsOf(*scene.surface);
+}
+
+/// Brings the result to where the target lies; without a target, to where it was printed.
+Eigen::Isometry3d alignResult(const Stage& stage, const std::optional<Eigen::Matrix3Xd>& targets) {
+  const Eigen::Matrix3Xd& positions = stage.equilibrium.positions;
+  return targets ? alignRigidly(middleLayer(stage.grid.shape, positions), *targets)
+                 : alignRigidly(positions, stage.grid.positions);
+}
+
+/// What of the design and of its result cannot be printed, or cannot be.
+void examine(const Stage& stage, const Scene& scene, RunRecord& record) {
+  const auto tell = [&](const std::vector<std::string>& advice) {
+    record.notices.insert(record.notices.end(), advice.begin(), advice.end());
+  };
+  if (record.full) {
+    record.shrink = computeShrink(stage.grid, scene.design.maxShrinkage);
+    tell(adviseOn(*record.shrink, scene.design.maxShrinkage));
+  }
+  record.feasibility = examineFeasibility(stage.grid.shape, stage.equilibrium.positions,
+                                          scene.design.strutThickness);
+  tell(adviseOn(*record.feasibility));
+}
+
+}  // namespace
+
+Simulation simulateScene(const Scene& scene, const SceneDesign& designed, Stagehands& hands,
+                         CheckpointKeeper& keeper, bool quiet) {
+  RunRecord record = recordOf(scene, designed);
+  record.device =
+      scene.method == Method::reference ? "CPU, double precision" : hands.device->name();
+  if (designed.sampling) {
+    hands.draw([&](Pictures& pictures) {
+      pictures.drawSampling(scene.mesh->mesh, designed.sampling->hits);
+    });
+  }
+
+  Stages stages(scene, hands, keeper, quiet);
+  Stage stage = stages.runInPlane(designed.design);
+  record.inPlane = stage.equilibrium;
+  noteSaddle(record, "in-plane", *record.inPlane);
+  if (designed.design.layers > 1) {
+    stage = stages.runFull(designed.design, record.inPlane->positions);
+    record.printScale = stage.printScale;
+    if (designed.targets) {
+      record.inverse = stages.improve(stage, *designed.targets);
+      noteOtherWay(record);
+    }
+    record.full = stage.equilibrium;
+    noteSaddle(record, "full", *record.full);
+  }
+
+  const Eigen::Matrix3Xd& positions = stage.equilibrium.positions;
+  record.errors = computeStrutErrors(designed.design, stage.grid, positions);
+  examine(stage, scene, record);
+  if (designed.targets) {
+    record.distance = computeTargetDistance(middleLayer(stage.grid.shape, positions),
+                                            *designed.targets, closestPointsOfTarget(scene));
+  }
+  const Eigen::Isometry3d targetFromGrid = alignResult(stage, designed.targets);
+  hands.draw([&](Pictures& pictures) {
+    pictures.drawResult(*stage.onDevice, positions, targetFromGrid, designed.targets);
+    if (record.full) {
+      pictures.drawShrink(stage.grid, scene.design.maxShrinkage);
+    }
+  });
+  return {std::move(record), std::move(stage), targetFromGrid};
+}
+
+}  // namespace morphgrid

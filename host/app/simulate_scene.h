@@ -1,0 +1,21 @@
+#pragma once
+#include <Eigen/Geometry>
+
+#include "app/design_scene.h"
+#include "app/stages.h"
+
+namespace morphgrid {
+
+/// Where a designed scene comes to rest, and what there is to tell about it.
+struct Simulation {
+  RunRecord record;                  ///< Without the total time and what the device failed at.
+  Stage stage;                       ///< The last one.
+  Eigen::Isometry3d targetFromGrid;  ///< Without a target: from the last stage to where it began.
+};
+
+/// Solves in the plane, stacks, solves in space, with the inverse design that the scene asks for;
+/// draws on the way. The keeper says where to begin.
+Simulation simulateScene(const Scene& scene, const SceneDesign& designed, Stagehands& hands,
+                         CheckpointKeeper& keeper, bool quiet);
+
+}  // namespace morphgrid
