@@ -1,7 +1,6 @@
 #include "export/gltf.h"
 
 #include <gtest/gtest.h>
-#include <tiny_gltf.h>
 
 #include <Eigen/Geometry>
 #include <cstring>
@@ -11,62 +10,16 @@
 #include "grid/strain.h"
 #include "shared/strain_color.h"
 #include "tests/export/export_samples.h"
+#include "tests/export/gltf_files.h"
 
 namespace morphgrid {
 namespace {
-
-tinygltf::Model load(const std::filesystem::path& path) {
-  tinygltf::Model model;
-  std::string errors, warnings;
-  EXPECT_TRUE(tinygltf::TinyGLTF().LoadBinaryFromFile(&model, &errors, &warnings, path));
-  EXPECT_EQ(errors, "");
-  EXPECT_EQ(warnings, "");
-  return model;
-}
 
 tinygltf::Model roundTrip(const ExportSample& sample) {
   const TemporaryFolder folder;
   exportGltf(folder / "morph.glb", sample.grid, sample.positions, sample.surface);
   EXPECT_EQ(folder.fileCount(), 1);
-  return load(folder / "morph.glb");
-}
-
-/// The accessor's values as `rows` x count.
-template <typename Scalar>
-Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic> values(const tinygltf::Model& model,
-                                                             int accessorIndex, int rows) {
-  const tinygltf::Accessor& accessor = model.accessors.at(accessorIndex);
-  const tinygltf::BufferView& view = model.bufferViews.at(accessor.bufferView);
-  const std::vector<unsigned char>& bytes = model.buffers.at(view.buffer).data;
-  EXPECT_EQ(tinygltf::GetComponentSizeInBytes(accessor.componentType), sizeof(Scalar));
-  EXPECT_EQ(tinygltf::GetNumComponentsInType(accessor.type), rows);
-  EXPECT_EQ(view.byteLength, accessor.count * rows * sizeof(Scalar));
-  EXPECT_LE(view.byteOffset + view.byteLength, bytes.size());
-  EXPECT_EQ(view.byteOffset % 4, 0);
-  Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic> result(rows, accessor.count);
-  std::memcpy(result.data(), bytes.data() + view.byteOffset, view.byteLength);
-  return result;
-}
-
-const tinygltf::Primitive& onlyPrimitive(const tinygltf::Model& model, const std::string& name) {
-  for (const tinygltf::Node& node : model.nodes) {
-    if (node.name == name) {
-      EXPECT_EQ(model.meshes.at(node.mesh).primitives.size(), 1);
-      return model.meshes.at(node.mesh).primitives.front();
-    }
-  }
-  throw std::runtime_error("no node " + name);
-}
-
-void expectBounds(const tinygltf::Model& model, int accessorIndex) {
-  const Eigen::MatrixXf positions = values<float>(model, accessorIndex, 3);
-  const tinygltf::Accessor& accessor = model.accessors.at(accessorIndex);
-  ASSERT_EQ(accessor.minValues.size(), 3);
-  ASSERT_EQ(accessor.maxValues.size(), 3);
-  for (int axis = 0; axis < 3; ++axis) {
-    EXPECT_EQ(accessor.minValues[axis], positions.row(axis).minCoeff());
-    EXPECT_EQ(accessor.maxValues[axis], positions.row(axis).maxCoeff());
-  }
+  return loadGltf(folder / "morph.glb");
 }
 
 class Gltf : public testing::TestWithParam<GridShape> {};

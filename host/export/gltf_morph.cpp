@@ -1,0 +1,96 @@
+#include "export/gltf_morph.h"
+
+#include <cassert>
+
+#include "export/gltf_parts.h"
+
+namespace morphgrid {
+namespace {
+
+/// What a morph target adds to the mesh.
+int addDifference(tinygltf::Model& model, const Eigen::Matrix3Xd& to,
+                  const Eigen::Matrix3Xd& from) {
+  return addPositions(model, (to - from).cast<float>());
+}
+
+void addMorphingStruts(tinygltf::Model& model, const StrutGrid& grid,
+                       const std::vector<MorphKey>& keys) {
+  const auto ends = [&](const MorphKey& key) { return strutEnds(grid.shape, key.positions); };
+  const Eigen::Matrix3Xf first = ends(keys.front());
+  tinygltf::Primitive lines;
+  lines.attributes["POSITION"] = addPositions(model, first);
+  lines.attributes["COLOR_0"] = addVectors(model, strutColors(grid, keys.front().positions));
+  for (auto key = keys.begin() + 1; key != keys.end(); ++key) {
+    lines.targets.push_back({{"POSITION", addPositions(model, ends(*key) - first)}});
+  }
+  addStrutNode(model, std::move(lines));
+}
+
+void addMorphingSurface(tinygltf::Model& model, const std::vector<MorphKey>& keys) {
+  const SurfaceMesh& first = keys.front().surface;
+  tinygltf::Primitive triangles;
+  triangles.attributes["POSITION"] = addPositions(model, first.vertices.cast<float>());
+  triangles.attributes["NORMAL"] = addVectors(model, first.normals.cast<float>());
+  triangles.indices = addIndices(model, first.triangles);
+  for (auto key = keys.begin() + 1; key != keys.end(); ++key) {
+    triangles.targets.push_back(
+        {{"POSITION", addDifference(model, key->surface.vertices, first.vertices)},
+         {"NORMAL", addDifference(model, key->surface.normals, first.normals)}});
+  }
+  addSurfaceNode(model, std::move(triangles));
+}
+
+/// Of every moment the weights of all targets: 1 for the key's own, of which the first has none.
+Eigen::VectorXf targetWeights(const std::vector<MorphMoment>& timeline, std::size_t targetCount) {
+  const auto count = static_cast<Eigen::Index>(targetCount);
+  Eigen::MatrixXf weights =
+      Eigen::MatrixXf::Zero(count, static_cast<Eigen::Index>(timeline.size()));
+  for (Eigen::Index n = 0; n < weights.cols(); ++n) {
+    const int key = timeline[static_cast<std::size_t>(n)].key;
+    if (key > 0) {
+      weights(key - 1, n) = 1;
+    }
+  }
+  return weights.reshaped();
+}
+
+void addAnimation(tinygltf::Model& model, const std::vector<MorphMoment>& timeline,
+                  std::size_t targetCount) {
+  Eigen::VectorXf seconds(static_cast<Eigen::Index>(timeline.size()));
+  for (std::size_t n = 0; n < timeline.size(); ++n) {
+    seconds[static_cast<Eigen::Index>(n)] = static_cast<float>(timeline[n].seconds);
+  }
+  tinygltf::AnimationSampler sampler;
+  sampler.input = addTimes(model, seconds);
+  sampler.output = addScalars(model, targetWeights(timeline, targetCount));
+  tinygltf::Animation animation;
+  animation.name = "morph";
+  animation.samplers = {sampler};
+  for (std::size_t node = 0; node < model.nodes.size(); ++node) {
+    model.meshes[static_cast<std::size_t>(model.nodes[node].mesh)].weights.assign(targetCount, 0);
+    tinygltf::AnimationChannel channel;
+    channel.sampler = 0;
+    channel.target_node = static_cast<int>(node);
+    channel.target_path = "weights";
+    animation.channels.push_back(channel);
+  }
+  model.animations = {animation};
+}
+
+}  // namespace
+
+void exportGltfMorph(const std::filesystem::path& path, const StrutGrid& grid,
+                     const std::vector<MorphKey>& keys, const std::vector<MorphMoment>& timeline) {
+  assert(keys.size() >= 2 && !timeline.empty());
+  for (const MorphKey& key : keys) {
+    requireFloats(path, key.positions);
+    requireFloats(path, key.surface.vertices);
+  }
+  tinygltf::Model model = emptyModel();
+  addMorphingStruts(model, grid, keys);
+  addMorphingSurface(model, keys);
+  addAnimation(model, timeline, keys.size() - 1);
+  writeModel(path, model);
+}
+
+}  // namespace morphgrid

@@ -1,0 +1,180 @@
+#include "export/gltf_parts.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <limits>
+#include <sstream>
+
+#include "core/atomic_file.h"
+#include "core/error.h"
+#include "grid/strain.h"
+#include "shared/strain_color.h"
+
+namespace morphgrid {
+namespace {
+
+const char* const kUnlit = "KHR_materials_unlit";
+constexpr int kNoTarget = 0;  // Of a buffer view that no vertex comes from.
+
+/// Appends values to the file's one buffer; returns the new accessor's index.
+template <typename Matrix>
+int addAccessor(tinygltf::Model& model, const Matrix& values, int target, int componentType,
+                int type) {
+  std::vector<unsigned char>& bytes = model.buffers.front().data;
+  const auto* begin = reinterpret_cast<const unsigned char*>(values.data());
+  tinygltf::BufferView view;
+  view.buffer = 0;
+  view.byteOffset = bytes.size();
+  view.byteLength = values.size() * sizeof(typename Matrix::Scalar);
+  view.target = target;
+  bytes.insert(bytes.end(), begin, begin + view.byteLength);
+  model.bufferViews.push_back(view);
+
+  tinygltf::Accessor accessor;
+  accessor.bufferView = static_cast<int>(model.bufferViews.size()) - 1;
+  accessor.componentType = componentType;
+  accessor.type = type;
+  accessor.count = values.size() / tinygltf::GetNumComponentsInType(type);
+  model.accessors.push_back(accessor);
+  return static_cast<int>(model.accessors.size()) - 1;
+}
+
+template <typename Matrix>
+void setBounds(tinygltf::Accessor& accessor, const Matrix& values) {
+  const Eigen::VectorXd low = values.rowwise().minCoeff().template cast<double>();
+  const Eigen::VectorXd high = values.rowwise().maxCoeff().template cast<double>();
+  accessor.minValues.assign(low.begin(), low.end());
+  accessor.maxValues.assign(high.begin(), high.end());
+}
+
+void addNode(tinygltf::Model& model, const std::string& name, const tinygltf::Material& material,
+             tinygltf::Primitive primitive) {
+  model.materials.push_back(material);
+  primitive.material = static_cast<int>(model.materials.size()) - 1;
+  tinygltf::Mesh mesh;
+  mesh.name = name;
+  mesh.primitives = {primitive};
+  model.meshes.push_back(mesh);
+  tinygltf::Node node;
+  node.name = name;
+  node.mesh = static_cast<int>(model.meshes.size()) - 1;
+  node.rotation = {-std::sqrt(0.5), 0, 0, std::sqrt(0.5)};
+  model.nodes.push_back(node);
+  model.scenes.front().nodes.push_back(static_cast<int>(model.nodes.size()) - 1);
+}
+
+/// Lines have no normals to shade by, and their colours are data.
+tinygltf::Material strutMaterial() {
+  tinygltf::Material material;
+  material.name = "strain";
+  material.extensions[kUnlit] = tinygltf::Value(tinygltf::Value::Object());
+  return material;
+}
+
+tinygltf::Material surfaceMaterial() {
+  tinygltf::Material material;
+  material.name = "surface";
+  material.doubleSided = true;
+  material.pbrMetallicRoughness.baseColorFactor = {0.8, 0.8, 0.8, 1};
+  material.pbrMetallicRoughness.metallicFactor = 0;
+  material.pbrMetallicRoughness.roughnessFactor = 0.6;
+  return material;
+}
+
+/// tinygltf keeps offsets in an int and would wrap them.
+void requireSize(const std::filesystem::path& path, const tinygltf::Model& model) {
+  const std::size_t size = model.buffers.front().data.size();
+  if (size > std::numeric_limits<int>::max()) {
+    throw InputError(fmt::format("{}: cannot be written: {} bytes of geometry, glTF holds 2 GiB",
+                                 path.string(), size));
+  }
+}
+
+}  // namespace
+
+tinygltf::Model emptyModel() {
+  tinygltf::Model model;
+  model.asset.version = "2.0";
+  model.asset.generator = "morphgrid";
+  model.extensionsUsed = {kUnlit};
+  model.buffers.emplace_back();
+  model.scenes.emplace_back();
+  model.defaultScene = 0;
+  return model;
+}
+
+int addScalars(tinygltf::Model& model, const Eigen::VectorXf& scalars) {
+  return addAccessor(model, scalars, kNoTarget, TINYGLTF_COMPONENT_TYPE_FLOAT,
+                     TINYGLTF_TYPE_SCALAR);
+}
+
+int addVectors(tinygltf::Model& model, const Eigen::Matrix3Xf& vectors) {
+  return addAccessor(model, vectors, TINYGLTF_TARGET_ARRAY_BUFFER, TINYGLTF_COMPONENT_TYPE_FLOAT,
+                     TINYGLTF_TYPE_VEC3);
+}
+
+int addIndices(tinygltf::Model& model, const Eigen::Matrix3Xi& triangles) {
+  return addAccessor(model, triangles, TINYGLTF_TARGET_ELEMENT_ARRAY_BUFFER,
+                     TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT, TINYGLTF_TYPE_SCALAR);
+}
+
+int addPositions(tinygltf::Model& model, const Eigen::Matrix3Xf& positions) {
+  const int index = addVectors(model, positions);
+  setBounds(model.accessors[index], positions);
+  return index;
+}
+
+int addTimes(tinygltf::Model& model, const Eigen::VectorXf& seconds) {
+  const int index = addScalars(model, seconds);
+  setBounds(model.accessors[index], seconds.transpose());
+  return index;
+}
+
+Eigen::Matrix3Xf strutEnds(const GridShape& shape, const Eigen::Matrix3Xd& positions) {
+  const std::vector<Strut> struts = listStruts(shape);
+  Eigen::Matrix3Xf ends(3, 2 * struts.size());
+  for (std::size_t i = 0; i < struts.size(); ++i) {
+    ends.col(2 * i) = positions.col(struts[i].from).cast<float>();
+    ends.col(2 * i + 1) = positions.col(struts[i].to).cast<float>();
+  }
+  return ends;
+}
+
+Eigen::Matrix3Xf strutColors(const StrutGrid& grid, const Eigen::Matrix3Xd& positions) {
+  const std::vector<double> strutStrains = strains(grid, positions);
+  Eigen::Matrix3Xf colors(3, 2 * strutStrains.size());
+  for (std::size_t i = 0; i < strutStrains.size(); ++i) {
+    const vec3 color = strainColor(static_cast<float>(strutStrains[i]));
+    colors.middleCols<2>(2 * i).colwise() = Eigen::Vector3f(color.r, color.g, color.b);
+  }
+  return colors;
+}
+
+void addStrutNode(tinygltf::Model& model, tinygltf::Primitive lines) {
+  lines.mode = TINYGLTF_MODE_LINE;
+  addNode(model, "struts", strutMaterial(), std::move(lines));
+}
+
+void addSurfaceNode(tinygltf::Model& model, tinygltf::Primitive triangles) {
+  triangles.mode = TINYGLTF_MODE_TRIANGLES;
+  addNode(model, "surface", surfaceMaterial(), std::move(triangles));
+}
+
+void requireFloats(const std::filesystem::path& path, const Eigen::Matrix3Xd& values) {
+  if (!values.cast<float>().allFinite()) {
+    throw InputError(fmt::format(
+        "{}: cannot be written: glTF holds 32-bit floats, and a coordinate is not finite as one",
+        path.string()));
+  }
+}
+
+void writeModel(const std::filesystem::path& path, tinygltf::Model& model) {
+  requireSize(path, model);
+  std::ostringstream stream;
+  tinygltf::TinyGLTF().WriteGltfSceneToStream(&model, stream, /*prettyPrint=*/false,
+                                              /*writeBinary=*/true);
+  writeFileAtomically(path, stream.view());
+}
+
+}  // namespace morphgrid
