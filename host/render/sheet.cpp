@@ -16,7 +16,7 @@ namespace morphgrid {
 namespace {
 
 constexpr Color kText = {45, 50, 60};
-constexpr double kLinesPerPanel = 30;     // Of captions, were they to fill a panel.
+constexpr double kLinesPerPanel = 34;     // Of captions, were they to fill a panel.
 constexpr double kTitle = 1.6;            // Letters of the title, in those of captions.
 constexpr double kTitleMargin = 0.7;      // Above, below and left of it, in letters of the title.
 constexpr double kTextLineHeight = 1.25;  // In letters.
@@ -117,7 +117,7 @@ Image drawText(const std::string& text, const SheetOptions& options) {
     widest = std::max(widest, font.widthOf(line, 1));
   }
   const double letters =
-      std::min({lettersOf(options), size.width / (widest + 2),
+      std::min({titleLetters(options), size.width / (widest + 2),
                 size.height / (kTextLineHeight * (static_cast<double>(lines.size()) + 1))});
   Image image = whiteImage(size.width, size.height);
   double baseline = kTextLineHeight * letters;

@@ -15,7 +15,7 @@ namespace morphgrid {
 namespace {
 
 // Lines stay crisp, and a file is a tenth of what lossless takes.
-constexpr float kQuality = 80;
+constexpr float kQuality = 60;
 // Of libwebp's 0 (quick) to 6: beyond, files hardly shrink.
 constexpr int kEffort = 4;
 

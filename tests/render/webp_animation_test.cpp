@@ -2,11 +2,10 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <webp/demux.h>
 
 #include "core/error.h"
-#include "core/read_file.h"
 #include "tests/render/pixels.h"
+#include "tests/render/webp_files.h"
 #include "tests/support/temporary_folder.h"
 
 namespace morphgrid {
@@ -28,32 +27,6 @@ Image frameOf(int number) {
   return image;
 }
 
-struct DecodedFrame {
-  Image image;
-  int endMilliseconds;
-};
-
-std::vector<DecodedFrame> decode(const std::filesystem::path& path) {
-  const std::string bytes = readFile(path);
-  const WebPData data{reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()};
-  const std::unique_ptr<WebPAnimDecoder, decltype(&WebPAnimDecoderDelete)> decoder(
-      WebPAnimDecoderNew(&data, nullptr), &WebPAnimDecoderDelete);
-  WebPAnimInfo info{};
-  EXPECT_TRUE(WebPAnimDecoderGetInfo(decoder.get(), &info));
-  EXPECT_EQ(info.loop_count, 0) << "it plays for ever";
-  std::vector<DecodedFrame> frames;
-  while (WebPAnimDecoderHasMoreFrames(decoder.get())) {
-    std::uint8_t* pixels = nullptr;
-    int end = 0;
-    EXPECT_TRUE(WebPAnimDecoderGetNext(decoder.get(), &pixels, &end));
-    const int width = static_cast<int>(info.canvas_width);
-    const int height = static_cast<int>(info.canvas_height);
-    frames.push_back({{width, height, {pixels, pixels + 4 * std::size_t(width) * height}}, end});
-  }
-  EXPECT_EQ(frames.size(), info.frame_count);
-  return frames;
-}
-
 TEST(WebpAnimation, ReadsBackWithItsFramesAndTimes) {
   const TemporaryFolder folder;
   WebpAnimation animation(kWidth, kHeight);
@@ -62,7 +35,7 @@ TEST(WebpAnimation, ReadsBackWithItsFramesAndTimes) {
   }
   animation.write(folder / "morph.webp");
   EXPECT_EQ(folder.fileCount(), 1);
-  const std::vector<DecodedFrame> frames = decode(folder / "morph.webp");
+  const std::vector<WebpFrame> frames = readWebp(folder / "morph.webp");
   ASSERT_EQ(frames.size(), 4);
   for (int n = 0; n < 4; ++n) {
     EXPECT_EQ(frames[n].endMilliseconds, n == 3 ? 1620 : 40 * (n + 1));
