@@ -379,6 +379,22 @@ void addResults(Table& table, const RunRecord& record, const PublishedFigures& p
   addFeasibility(table, record);
 }
 
+void addFigures(Table& table, const RunRecord& record) {
+  const PublishedFigures paper = record.published.value_or(PublishedFigures{});
+  const GridFigures& g = record.grid;
+  addMesh(table, record);
+  addMeasurement(table, record, paper);
+  table.row("nodes, u x v", fmt::format("{} x {}", g.shape.verticesU - 1, g.shape.verticesV - 1),
+            ifAll("{} x {}", paper.nodesU, paper.nodesV));
+  table.row("layers, spacing", fmt::format("{}, {:.4g}", g.shape.layers, g.layerSpacing));
+  table.row("vertices, struts", fmt::format("{}, {}", g.shape.vertexCount(), g.shape.strutCount()));
+  table.row("largest L_b shrink", fmt::format("{:.1f} %", g.bendShrinkPercent),
+            ifAll("{:.1f} %", paper.bendShrinkPercent));
+  addNet(table, record);
+  addCutoffs(table, record);
+  addResults(table, record, paper);
+}
+
 }  // namespace
 
 std::string toJson(const RunRecord& record) {
@@ -428,22 +444,16 @@ std::string toConvergenceCsv(const RunRecord& record) {
 
 std::string toTable(const RunRecord& record) {
   Table table(record);
-  const PublishedFigures paper = record.published.value_or(PublishedFigures{});
-  const GridFigures& g = record.grid;
-  addMesh(table, record);
-  addMeasurement(table, record, paper);
-  table.row("nodes, u x v", fmt::format("{} x {}", g.shape.verticesU - 1, g.shape.verticesV - 1),
-            ifAll("{} x {}", paper.nodesU, paper.nodesV));
-  table.row("layers, spacing", fmt::format("{}, {:.4g}", g.shape.layers, g.layerSpacing));
-  table.row("vertices, struts", fmt::format("{}, {}", g.shape.vertexCount(), g.shape.strutCount()));
-  table.row("largest L_b shrink", fmt::format("{:.1f} %", g.bendShrinkPercent),
-            ifAll("{:.1f} %", paper.bendShrinkPercent));
-  addNet(table, record);
-  addCutoffs(table, record);
-  addResults(table, record, paper);
+  addFigures(table, record);
   addStage(table, "in plane:", record.inPlane);
   addStage(table, "full:", record.full);
   addInverse(table, record);
+  return table.text();
+}
+
+std::string toFigureTable(const RunRecord& record) {
+  Table table(record);
+  addFigures(table, record);
   return table.text();
 }
 
