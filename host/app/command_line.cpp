@@ -6,6 +6,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "app/figures.h"
 #include "app/pipeline.h"
 #include "core/error.h"
 #include "core/interrupt.h"
@@ -29,6 +30,7 @@ Examples:
   morphgrid run scenes/face.toml --set grid.nodes_long=600 --checkpoint face.checkpoint
   morphgrid run scenes/face.toml --set grid.nodes_long=600 --resume face.checkpoint
   morphgrid check scenes/patch.toml --set grid.layer_spacing=30
+  morphgrid figures scenes/egg_chair.toml --animation egg_chair.webp
   morphgrid devices
 
 Exit codes: 0 converged, 2 bad input, 3 not converged (results written),
@@ -44,6 +46,8 @@ struct Arguments {
   bool quiet = false;
   CheckpointOptions checkpoint;
   std::filesystem::path resumeFrom;
+  std::filesystem::path sheet;
+  FilmOptions film;
 };
 
 void logNotices(const RunRecord& record) {
@@ -75,6 +79,15 @@ int exitCodeOf(const RunRecord& record) {
   return ended([](const Equilibrium& e) { return !e.converged; }) ? kNotConverged : kConverged;
 }
 
+/// Warnings of a run's end, and its exit code.
+int conclude(const RunRecord& record) {
+  const int exitCode = exitCodeOf(record);
+  if (exitCode == kNotConverged) {
+    spdlog::warn("not converged; try a higher solver.iteration_limit or a looser solver.tolerance");
+  }
+  return exitCode;
+}
+
 void tellFailure(const RunRecord& record, const std::filesystem::path& folder,
                  const CheckpointOptions& checkpoint) {
   fmt::print(stderr, "device failure: {}\nwhat was done before is in {}; {}\n",
@@ -99,11 +112,27 @@ int run(const Arguments& arguments) {
   if (record.deviceFailure) {
     tellFailure(record, folder, arguments.checkpoint);
   }
-  const int exitCode = exitCodeOf(record);
-  if (exitCode == kNotConverged) {
-    spdlog::warn("not converged; try a higher solver.iteration_limit or a looser solver.tolerance");
+  return conclude(record);
+}
+
+int figures(const Arguments& arguments) {
+  const Scene scene = loadScene(arguments.scene, arguments.overrides);
+  const auto sheet = arguments.sheet.empty()
+                         ? std::filesystem::path("out") / scene.name / "figures.png"
+                         : arguments.sheet;
+  installInterruptHandler();
+  const FiguresRecord record =
+      makeFigures(scene, {sheet, arguments.film, arguments.device, arguments.quiet});
+  if (!arguments.quiet) {
+    logNotices(record.run);
+    fmt::print("{}figures in {}\n", toTable(record.run), sheet.string());
   }
-  return exitCode;
+  if (record.run.deviceFailure) {
+    fmt::print(stderr, "device failure: {}\nwhat was drawn before is in {}\n",
+               *record.run.deviceFailure, sheet.string());
+  }
+  const int exitCode = interruptRequested() ? kInterrupted : conclude(record.run);
+  return exitCode == kConverged && !record.morphConverged ? kNotConverged : exitCode;
 }
 
 int printDevices() {
@@ -121,6 +150,30 @@ void addSceneArguments(CLI::App& command, Arguments& arguments) {
                   "override a key of the scene, e.g. --set grid.layers=4; may be repeated")
       ->type_name("KEY=VALUE")
       ->allow_extra_args(false);
+}
+
+void addDeviceArguments(CLI::App& command, Arguments& arguments) {
+  command.add_option("--device", arguments.device.selection,
+                     "Vulkan device, by index or part of its name [the first that will do]");
+  command.add_flag("--quiet", arguments.quiet, "print errors only");
+  command.add_flag("--validate", arguments.device.validation,
+                   "run under the Vulkan validation layers; any message is a device failure");
+}
+
+CLI::App* addFiguresCommand(CLI::App& app, Arguments& arguments) {
+  CLI::App* command = app.add_subcommand(
+      "figures", "the pictures of a run on one sheet, with its figures; the morph as an animation");
+  addSceneArguments(*command, arguments);
+  command->add_option("--out", arguments.sheet, "the sheet, a PNG file [out/SCENE/figures.png]");
+  command->add_option("--animation", arguments.film.animation,
+                      "the morph as an animated WebP file");
+  command->add_option("--frames", arguments.film.framesFolder,
+                      "the morph as numbered PNG files in this folder");
+  command->add_option("--gltf", arguments.film.gltf, "the morph as a GLB file with an animation");
+  command->add_option("--frame-count", arguments.film.frameCount, "frames of the morph [48]")
+      ->check(CLI::Range(2, FilmOptions::kMostFrames));
+  addDeviceArguments(*command, arguments);
+  return command;
 }
 
 int guarded(const std::function<int()>& work) {
@@ -161,8 +214,6 @@ int runCommandLine(int argc, char** argv) {
       "run", "measure, design, simulate; leave report, pictures and files in a folder");
   addSceneArguments(*runCommand, arguments);
   runCommand->add_option("--out", arguments.outputFolder, "output folder [out/SCENE]");
-  runCommand->add_option("--device", arguments.device.selection,
-                         "Vulkan device, by index or part of its name [the first that will do]");
   runCommand->add_flag("--smallest-eigenvalue", arguments.smallestEigenvalue,
                        "find out whether the equilibria are minima, as solver.smallest_eigenvalue");
   CLI::Option* checkpoint = runCommand->add_option(
@@ -175,12 +226,11 @@ int runCommandLine(int argc, char** argv) {
       ->needs(checkpoint);
   runCommand->add_option("--resume", arguments.resumeFrom,
                          "go on where the run stood that wrote this checkpoint");
-  runCommand->add_flag("--quiet", arguments.quiet, "print errors only");
-  runCommand->add_flag("--validate", arguments.device.validation,
-                       "run under the Vulkan validation layers; any message is a device failure");
+  addDeviceArguments(*runCommand, arguments);
   CLI::App* checkCommand =
       app.add_subcommand("check", "read, measure and design; print the table, solve nothing");
   addSceneArguments(*checkCommand, arguments);
+  CLI::App* figuresCommand = addFiguresCommand(app, arguments);
   CLI::App* devicesCommand = app.add_subcommand("devices", "list the Vulkan devices");
 
   try {
@@ -191,6 +241,9 @@ int runCommandLine(int argc, char** argv) {
   return guarded([&] {
     if (devicesCommand->parsed()) {
       return printDevices();
+    }
+    if (figuresCommand->parsed()) {
+      return figures(arguments);
     }
     return checkCommand->parsed() ? check(arguments) : run(arguments);
   });

@@ -1,0 +1,145 @@
+#include "app/figures.h"
+
+#include <fmt/format.h>
+
+#include <fstream>
+#include <map>
+
+#include "app/progress_line.h"
+#include "core/atomic_file.h"
+#include "core/error.h"
+#include "core/interrupt.h"
+#include "render/font.h"
+#include "report/report_files.h"
+
+namespace morphgrid {
+namespace {
+
+using DrawnPanels = std::map<std::string, Panel>;
+
+/// In the paper's order, with the target before it; what was not drawn is left out.
+constexpr const char* kPanelNames[] = {"target", "sampling", "initial", "in_plane", "stacked",
+                                       "shrink", "warped",   "surface", "distance"};
+
+void requireExtension(const char* option, const std::filesystem::path& path,
+                      const char* extension) {
+  if (!path.empty() && path.extension() != extension) {
+    throw InputError(
+        fmt::format("{} {}: the name must end in {}", option, path.string(), extension));
+  }
+}
+
+void requireNames(const FiguresOptions& options) {
+  requireExtension("--out", options.sheet, ".png");
+  requireExtension("--animation", options.film.animation, ".webp");
+  requireExtension("--gltf", options.film.gltf, ".glb");
+}
+
+void requireMorph(const Scene& scene, const SceneDesign& designed, const FilmOptions& film) {
+  if (film.wanted() && designed.design.layers < 2) {
+    throw InputError(fmt::format(
+        "{}: a morph takes at least 2 layers: --frames, --animation and --gltf need a higher "
+        "grid.layers",
+        scene.file.string()));
+  }
+}
+
+void makeFolder(const std::filesystem::path& folder) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error) {
+    throw InputError(
+        fmt::format("{}: the folder cannot be made: {}", folder.string(), error.message()));
+  }
+}
+
+/// What cannot be written is told before the solve.
+void requireWritable(const std::filesystem::path& file) {
+  if (file.has_parent_path()) {
+    makeFolder(file.parent_path());
+  }
+  const PendingFile probe(file);
+  if (std::filesystem::is_directory(file) || !std::ofstream(probe.path())) {
+    throw InputError(fmt::format("{}: no file can be written there", file.string()));
+  }
+}
+
+void requireWritable(const FiguresOptions& options) {
+  for (const auto& file : {options.sheet, options.film.animation, options.film.gltf}) {
+    if (!file.empty()) {
+      requireWritable(file);
+    }
+  }
+  if (!options.film.framesFolder.empty()) {
+    requireWritable(options.film.framesFolder / "frame_0000.png");
+  }
+}
+
+SheetOptions sheetFor(const Scene& scene) {
+  const std::string figure =
+      scene.published ? fmt::format(", beside the paper's {}", scene.published->figure) : "";
+  return {.title = scene.title + figure,
+          .panelWidth = scene.pictures.width,
+          .panelHeight = scene.pictures.height};
+}
+
+std::vector<Panel> panelsOf(DrawnPanels drawn, const RunRecord& record, const SheetOptions& sheet) {
+  constexpr std::size_t kTables = 1;
+  if ((drawn.size() + kTables) % static_cast<std::size_t>(sheet.columns) == 1) {
+    drawn.erase("shrink");  // It would bring about a row of a single panel.
+  }
+  std::vector<Panel> panels;
+  for (const char* name : kPanelNames) {
+    if (const auto panel = drawn.find(name); panel != drawn.end()) {
+      panels.push_back(std::move(panel->second));
+    }
+  }
+  panels.push_back({drawText(toFigureTable(record), sheet), "figures", {}});
+  return panels;
+}
+
+FilmRecord film(const Scene& scene, Stagehands& hands, Simulation& simulation,
+                const FiguresOptions& options) {
+  FilmRecord record;
+  if (!options.film.wanted() || interruptRequested() || !simulation.stage.onDevice) {
+    return record;
+  }
+  ProgressLine progress("morph", scene.solve.tolerance);
+  const auto tell = [&](const std::string& what, double seconds, double secondsLeft) {
+    if (!options.quiet) {
+      progress.tell(what, seconds, secondsLeft);
+    }
+  };
+  hands.attempt([&] { record = filmMorph(scene, *hands.device, simulation, options.film, tell); });
+  return record;
+}
+
+}  // namespace
+
+FiguresRecord makeFigures(Scene scene, const FiguresOptions& options) {
+  requireNames(options);
+  scene.pictures.enabled = true;
+  const SceneDesign designed = designScene(scene);
+  requireMorph(scene, designed, options.film);
+  const SheetOptions sheet = sheetFor(scene);
+  sheetSize(sheet, std::size(kPanelNames));  // A sheet too large is told before the solve,
+  Font::findMono();                          // and so is a missing font.
+  DrawnPanels drawn;
+  Stagehands hands =
+      summonStagehands(scene, designed, options.device, panelPicture(sheet),
+                       [&](const std::string& name, const Panel& panel) { drawn[name] = panel; });
+  requireWritable(options);
+
+  CheckpointKeeper keeper({}, {});
+  Simulation simulation = simulateScene(scene, designed, hands, keeper, options.quiet);
+  writePng(options.sheet,
+           composeSheet(panelsOf(std::move(drawn), simulation.record, sheet), sheet));
+  const FilmRecord filmed = film(scene, hands, simulation, options);
+  hands.requireSilence();
+  RunRecord& record = simulation.record;
+  record.deviceFailure = hands.failure;
+  record.notices.insert(record.notices.end(), filmed.notices.begin(), filmed.notices.end());
+  return {std::move(record), filmed.converged};
+}
+
+}  // namespace morphgrid

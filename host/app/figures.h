@@ -1,0 +1,27 @@
+#pragma once
+#include "app/morph_film.h"
+#include "gpu/device.h"
+
+namespace morphgrid {
+
+struct FiguresOptions {
+  std::filesystem::path sheet;  ///< A PNG file.
+  FilmOptions film;
+  DeviceOptions device;
+  bool quiet = false;  ///< No progress.
+};
+
+/// What the command has to tell.
+struct FiguresRecord {
+  RunRecord run;
+  bool morphConverged;
+};
+
+/// The panels of a run of the scene on one sheet, with its figures, and what else is asked for.
+/// When the device fails on the way, the sheet holds what was drawn before. Throws InputError, with
+/// nothing written, when a file's name has the wrong extension, the scene cannot be built, a film
+/// is asked for where nothing morphs, the sheet would be too large or a file cannot be written;
+/// DeviceError when there is no device that will do.
+FiguresRecord makeFigures(Scene scene, const FiguresOptions& options);
+
+}  // namespace morphgrid

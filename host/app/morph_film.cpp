@@ -1,0 +1,188 @@
+#include "app/morph_film.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "core/interrupt.h"
+#include "core/rigid_alignment.h"
+#include "export/gltf_morph.h"
+#include "render/webp_animation.h"
+
+namespace morphgrid {
+namespace {
+
+using Shapes = std::vector<Eigen::Matrix3Xd>;
+using Placements = std::vector<Eigen::Isometry3d>;
+
+// Seconds.
+constexpr double kFirstShown = 0.5;
+constexpr double kMorphing = 3;
+constexpr double kLastShown = 1.5;
+
+constexpr int kMostKeys = 13;         // Of the glTF file, which grows with each.
+constexpr int kMorphRefinement = 2;   // Cells of its surface per grid cell, along u and v.
+constexpr double kSameEnergy = 1e-3;  // Equilibria of a smaller relative difference are the same.
+
+/// Tells how a count goes on.
+class Counter {
+ public:
+  Counter(const char* what, int count, const TellFilm& tell)
+      : what_(what), count_(count), tell_(tell) {}
+
+  void tell(int done) const {
+    const double seconds =
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+    tell_(fmt::format("{} {} of {}", what_, done, count_), seconds,
+          seconds / done * (count_ - done));
+  }
+
+ private:
+  const char* what_;
+  int count_;
+  const TellFilm& tell_;
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+MorphCourse follow(const Scene& scene, const Device& device, const StrutGrid& grid, int steps,
+                   const TellFilm& tell) {
+  const Counter counter("equilibrium", steps, tell);
+  return followMorph(device, grid, {steps, scene.solve, [&](int step) { counter.tell(step); }});
+}
+
+/// Motions that bring the last shape to `end`, and each other one to the one after it: nothing but
+/// the morph is left to see.
+Placements placeShapes(const Shapes& shapes, const Eigen::Matrix3Xd& end) {
+  Placements placements(shapes.size());
+  Eigen::Matrix3Xd next = end;
+  for (std::size_t n = shapes.size(); n-- > 0;) {
+    placements[n] = alignRigidly(shapes[n], next);
+    next = placements[n] * shapes[n];
+  }
+  return placements;
+}
+
+Camera frameShapes(const Shapes& shapes, const Placements& placements, const View& view,
+                   double aspect) {
+  const Eigen::Index count = shapes.front().cols();
+  Eigen::Matrix3Xd points(3, count * static_cast<Eigen::Index>(shapes.size()));
+  for (std::size_t n = 0; n < shapes.size(); ++n) {
+    points.middleCols(static_cast<Eigen::Index>(n) * count, count) = placements[n] * shapes[n];
+  }
+  return frameAll(points, view.direction, view.up, aspect);
+}
+
+double secondsShown(int frame, int frameCount) {
+  const double between = kMorphing / (frameCount - 1);
+  return frame == 0 ? kFirstShown + between : frame == frameCount - 1 ? kLastShown : between;
+}
+
+std::filesystem::path framePath(const std::filesystem::path& folder, int frame) {
+  return folder / fmt::format("frame_{:04}.png", frame);
+}
+
+/// Of a longer film before this one.
+void removeFramesFrom(const std::filesystem::path& folder, int frame) {
+  std::error_code ignored;
+  while (std::filesystem::remove(framePath(folder, frame), ignored)) {
+    ++frame;
+  }
+}
+
+/// Shapes on the same grid, coloured by the strain to the designed lengths.
+void drawFrames(const Scene& scene, const Device& device, DeviceGrid& deviceGrid,
+                const Shapes& shapes, const Placements& placements, const FilmOptions& options,
+                const TellFilm& tell) {
+  PictureOptions picture{.width = scene.pictures.width,
+                         .height = scene.pictures.height,
+                         .caption = {},
+                         .legend = strainLegend()};
+  const SceneSize size = sceneSize(picture);
+  const Camera camera =
+      frameShapes(shapes, placements, scene.mesh ? kMeshView : kPatchView, size.aspect());
+  StrainRenderer renderer(device, size.width, size.height);
+  WebpAnimation animation(picture.width, picture.height);
+  const int count = static_cast<int>(shapes.size());
+  const Counter counter("frame", count, tell);
+  for (int n = 0; n < count && !interruptRequested(); ++n) {
+    const auto index = static_cast<std::size_t>(n);
+    deviceGrid.uploadPositions(shapes[index]);
+    picture.caption = fmt::format("morph: {:.0f} % of the shrinkage", 100.0 * n / (count - 1));
+    const Image frame =
+        composePicture(renderer.drawStruts(deviceGrid, placements[index], camera), picture);
+    if (!options.framesFolder.empty()) {
+      writePng(framePath(options.framesFolder, n), frame);
+    }
+    if (!options.animation.empty()) {
+      animation.add(frame, static_cast<int>(std::lround(1000 * secondsShown(n, count))));
+    }
+    counter.tell(n + 1);
+  }
+  if (interruptRequested()) {
+    return;
+  }
+  if (!options.framesFolder.empty()) {
+    removeFramesFrom(options.framesFolder, count);
+  }
+  if (!options.animation.empty()) {
+    animation.write(options.animation);
+  }
+}
+
+void writeGltf(const std::filesystem::path& path, const StrutGrid& grid, const Shapes& shapes,
+               const Placements& placements) {
+  const int steps = static_cast<int>(shapes.size()) - 1;
+  const int lastKey = std::min(steps, kMostKeys - 1);
+  std::vector<MorphKey> keys;
+  std::vector<MorphMoment> timeline{{0, 0}};
+  for (int key = 0; key <= lastKey; ++key) {
+    const int step = static_cast<int>(std::lround(double(key) * steps / lastKey));
+    const auto index = static_cast<std::size_t>(step);
+    Eigen::Matrix3Xd positions = placements[index] * shapes[index];
+    SurfaceMesh surface = tessellate(grid.shape.verticesU, grid.shape.verticesV,
+                                     middleLayer(grid.shape, positions), kMorphRefinement);
+    keys.push_back({std::move(positions), std::move(surface)});
+    timeline.push_back({kFirstShown + kMorphing * step / steps, key});
+  }
+  timeline.push_back({kFirstShown + kMorphing + kLastShown, lastKey});
+  exportGltfMorph(path, grid, keys, timeline);
+}
+
+FilmRecord recordOf(const MorphCourse& course, const Equilibrium& simulation) {
+  FilmRecord record{course.unconverged == 0, {}};
+  if (!record.converged) {
+    record.notices.push_back(fmt::format("{} of the morph's {} steps did not converge",
+                                         course.unconverged, course.positions.size() - 1));
+  }
+  if (std::abs(course.end.energy - simulation.energy) > kSameEnergy * simulation.energy) {
+    record.notices.push_back(fmt::format(
+        "the slow morph ends in another equilibrium than the simulation: its energy is {:.6g}, not "
+        "{:.6g}",
+        course.end.energy, simulation.energy));
+  }
+  return record;
+}
+
+}  // namespace
+
+FilmRecord filmMorph(const Scene& scene, const Device& device, Simulation& simulation,
+                     const FilmOptions& options, const TellFilm& tell) {
+  Stage& stage = simulation.stage;
+  const MorphCourse course = follow(scene, device, stage.grid, options.frameCount - 1, tell);
+  if (interruptRequested()) {
+    return {};
+  }
+  const Placements placements =
+      placeShapes(course.positions, simulation.targetFromGrid * stage.equilibrium.positions);
+  if (!options.framesFolder.empty() || !options.animation.empty()) {
+    drawFrames(scene, device, *stage.onDevice, course.positions, placements, options, tell);
+  }
+  if (!options.gltf.empty() && !interruptRequested()) {
+    writeGltf(options.gltf, stage.grid, course.positions, placements);
+  }
+  return recordOf(course, stage.equilibrium);
+}
+
+}  // namespace morphgrid
