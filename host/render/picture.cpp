@@ -143,6 +143,16 @@ void drawCaption(Image& image, const Footer& footer, const Font& font,
   }
 }
 
+/// A channel that is the same everywhere still takes its share of a file.
+std::vector<std::uint8_t> withoutAlpha(const Image& image) {
+  std::vector<std::uint8_t> rgb;
+  rgb.reserve(image.rgba.size() / 4 * 3);
+  for (std::size_t n = 0; n < image.rgba.size(); n += 4) {
+    rgb.insert(rgb.end(), &image.rgba[n], &image.rgba[n] + 3);
+  }
+  return rgb;
+}
+
 }  // namespace
 
 SceneSize sceneSize(const PictureOptions& options) {
@@ -166,14 +176,15 @@ Image composePicture(const Image& scene, const PictureOptions& options) {
 }
 
 void writePng(const std::filesystem::path& path, const Image& image) {
-  constexpr int kChannels = 4;
+  constexpr int kChannels = 3;
+  const std::vector<std::uint8_t> rgb = withoutAlpha(image);
   std::string bytes;
   const auto append = [](void* target, void* data, int size) {
     static_cast<std::string*>(target)->append(static_cast<const char*>(data),
                                               static_cast<std::size_t>(size));
   };
-  if (stbi_write_png_to_func(append, &bytes, image.width, image.height, kChannels,
-                             image.rgba.data(), kChannels * image.width) == 0) {
+  if (stbi_write_png_to_func(append, &bytes, image.width, image.height, kChannels, rgb.data(),
+                             kChannels * image.width) == 0) {
     throw InputError(fmt::format("{}: the picture cannot be packed", path.string()));
   }
   writeFileAtomically(path, bytes);

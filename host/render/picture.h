@@ -34,7 +34,7 @@ SceneSize sceneSize(const PictureOptions& options);
 /// there is no font.
 Image composePicture(const Image& scene, const PictureOptions& options);
 
-/// Throws InputError when the file cannot be written; one that was there is then kept.
+/// Opaque. Throws InputError when the file cannot be written; one that was there is then kept.
 void writePng(const std::filesystem::path& path, const Image& image);
 
 }  // namespace morphgrid

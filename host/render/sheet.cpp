@@ -86,7 +86,8 @@ SheetSize sheetSize(const SheetOptions& options, int panelCount) {
   const std::int64_t rows = (panelCount + columns - 1) / columns;
   const std::int64_t width = columns * options.panelWidth;
   const std::int64_t height = titleHeight(options) + rows * options.panelHeight;
-  constexpr std::int64_t kMostPixels = std::numeric_limits<int>::max() / 5;
+  constexpr std::int64_t kMostPixels =
+      std::numeric_limits<int>::max() / 5;  // stb counts bytes in int.
   if (width * height > kMostPixels) {
     throw InputError(fmt::format(
         "a sheet of {} panels of {} x {} pixels has {} pixels, it may have {}: make them smaller",
