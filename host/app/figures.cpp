@@ -5,7 +5,6 @@
 #include <fstream>
 #include <map>
 
-#include "app/progress_line.h"
 #include "core/atomic_file.h"
 #include "core/error.h"
 #include "core/interrupt.h"
@@ -104,13 +103,8 @@ FilmRecord film(const Scene& scene, Stagehands& hands, Simulation& simulation,
   if (!options.film.wanted() || interruptRequested() || !simulation.stage.onDevice) {
     return record;
   }
-  ProgressLine progress("morph", scene.solve.tolerance);
-  const auto tell = [&](const std::string& what, double seconds, double secondsLeft) {
-    if (!options.quiet) {
-      progress.tell(what, seconds, secondsLeft);
-    }
-  };
-  hands.attempt([&] { record = filmMorph(scene, *hands.device, simulation, options.film, tell); });
+  hands.attempt(
+      [&] { record = filmMorph(scene, *hands.device, simulation, options.film, options.quiet); });
   return record;
 }
 

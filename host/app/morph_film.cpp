@@ -6,6 +6,7 @@
 #include <chrono>
 #include <cmath>
 
+#include "app/progress_line.h"
 #include "core/interrupt.h"
 #include "core/rigid_alignment.h"
 #include "export/gltf_morph.h"
@@ -26,29 +27,31 @@ constexpr int kMostKeys = 13;         // Of the glTF file, which grows with each
 constexpr int kMorphRefinement = 2;   // Cells of its surface per grid cell, along u and v.
 constexpr double kSameEnergy = 1e-3;  // Equilibria of a smaller relative difference are the same.
 
-/// Tells how a count goes on.
+/// Tells on stderr how a count goes on.
 class Counter {
  public:
-  Counter(const char* what, int count, const TellFilm& tell)
-      : what_(what), count_(count), tell_(tell) {}
+  Counter(const char* what, int count, bool quiet) : what_(what), count_(count), quiet_(quiet) {}
 
-  void tell(int done) const {
-    const double seconds =
-        std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-    tell_(fmt::format("{} {} of {}", what_, done, count_), seconds,
-          seconds / done * (count_ - done));
+  void tell(int done) {
+    if (!quiet_) {
+      const double seconds =
+          std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+      line_.tell(fmt::format("{} {} of {}", what_, done, count_), seconds,
+                 seconds / done * (count_ - done));
+    }
   }
 
  private:
   const char* what_;
   int count_;
-  const TellFilm& tell_;
+  bool quiet_;
+  ProgressLine line_{"morph", 0};
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
 MorphCourse follow(const Scene& scene, const Device& device, const StrutGrid& grid, int steps,
-                   const TellFilm& tell) {
-  const Counter counter("equilibrium", steps, tell);
+                   bool quiet) {
+  Counter counter("equilibrium", steps, quiet);
   return followMorph(device, grid, {steps, scene.solve, [&](int step) { counter.tell(step); }});
 }
 
@@ -94,7 +97,7 @@ void removeFramesFrom(const std::filesystem::path& folder, int frame) {
 /// Shapes on the same grid, coloured by the strain to the designed lengths.
 void drawFrames(const Scene& scene, const Device& device, DeviceGrid& deviceGrid,
                 const Shapes& shapes, const Placements& placements, const FilmOptions& options,
-                const TellFilm& tell) {
+                bool quiet) {
   PictureOptions picture{.width = scene.pictures.width,
                          .height = scene.pictures.height,
                          .caption = {},
@@ -105,7 +108,7 @@ void drawFrames(const Scene& scene, const Device& device, DeviceGrid& deviceGrid
   StrainRenderer renderer(device, size.width, size.height);
   WebpAnimation animation(picture.width, picture.height);
   const int count = static_cast<int>(shapes.size());
-  const Counter counter("frame", count, tell);
+  Counter counter("frame", count, quiet);
   for (int n = 0; n < count && !interruptRequested(); ++n) {
     const auto index = static_cast<std::size_t>(n);
     deviceGrid.uploadPositions(shapes[index]);
@@ -168,16 +171,16 @@ FilmRecord recordOf(const MorphCourse& course, const Equilibrium& simulation) {
 }  // namespace
 
 FilmRecord filmMorph(const Scene& scene, const Device& device, Simulation& simulation,
-                     const FilmOptions& options, const TellFilm& tell) {
+                     const FilmOptions& options, bool quiet) {
   Stage& stage = simulation.stage;
-  const MorphCourse course = follow(scene, device, stage.grid, options.frameCount - 1, tell);
+  const MorphCourse course = follow(scene, device, stage.grid, options.frameCount - 1, quiet);
   if (interruptRequested()) {
     return {};
   }
   const Placements placements =
       placeShapes(course.positions, simulation.targetFromGrid * stage.equilibrium.positions);
   if (!options.framesFolder.empty() || !options.animation.empty()) {
-    drawFrames(scene, device, *stage.onDevice, course.positions, placements, options, tell);
+    drawFrames(scene, device, *stage.onDevice, course.positions, placements, options, quiet);
   }
   if (!options.gltf.empty() && !interruptRequested()) {
     writeGltf(options.gltf, stage.grid, course.positions, placements);

@@ -1,6 +1,5 @@
 #pragma once
 #include <filesystem>
-#include <functional>
 
 #include "app/simulate_scene.h"
 #include "solve/morph_course.h"
@@ -25,14 +24,11 @@ struct FilmRecord {
   std::vector<std::string> notices;  ///< That it did not, or ends elsewhere than the simulation.
 };
 
-/// Called as it gets on; seconds: so far, and to come.
-using TellFilm = std::function<void(const std::string& what, double seconds, double secondsLeft)>;
-
 /// Follows the simulated scene's morph from the printed sheet and shows it, from one place that
 /// sees all of it. The simulation's last stage must be one in space, and on the device. When the
 /// user asks to stop, some frames may be there, and no other file. Throws DeviceError when the
-/// device fails, InputError when a file cannot be written.
+/// device fails, InputError when a file cannot be written. quiet: no progress.
 FilmRecord filmMorph(const Scene& scene, const Device& device, Simulation& simulation,
-                     const FilmOptions& options, const TellFilm& tell);
+                     const FilmOptions& options, bool quiet);
 
 }  // namespace morphgrid
