@@ -136,6 +136,7 @@ TEST_F(Figures, StepsThatDoNotConvergeAreTold) {
                             "--animation", path("morph.webp"), "--frame-count", "3"});
   EXPECT_EQ(run.exitCode, 3) << run.output;
   EXPECT_THAT(run.output, HasSubstr("2 of the morph's 2 steps did not converge"));
+  EXPECT_THAT(run.output, HasSubstr("the slow morph ends in another equilibrium"));
   EXPECT_TRUE(exists("sheet.png"));
   EXPECT_TRUE(exists("morph.webp"));
 }
