@@ -155,7 +155,6 @@ void addSceneArguments(CLI::App& command, Arguments& arguments) {
 void addDeviceArguments(CLI::App& command, Arguments& arguments) {
   command.add_option("--device", arguments.device.selection,
                      "Vulkan device, by index or part of its name [the first that will do]");
-  command.add_flag("--quiet", arguments.quiet, "print errors only");
   command.add_flag("--validate", arguments.device.validation,
                    "run under the Vulkan validation layers; any message is a device failure");
 }
@@ -173,6 +172,7 @@ CLI::App* addFiguresCommand(CLI::App& app, Arguments& arguments) {
   command->add_option("--frame-count", arguments.film.frameCount, "frames of the morph [48]")
       ->check(CLI::Range(2, FilmOptions::kMostFrames));
   addDeviceArguments(*command, arguments);
+  command->add_flag("--quiet", arguments.quiet, "print errors only");
   return command;
 }
 
@@ -214,6 +214,7 @@ int runCommandLine(int argc, char** argv) {
       "run", "measure, design, simulate; leave report, pictures and files in a folder");
   addSceneArguments(*runCommand, arguments);
   runCommand->add_option("--out", arguments.outputFolder, "output folder [out/SCENE]");
+  addDeviceArguments(*runCommand, arguments);
   runCommand->add_flag("--smallest-eigenvalue", arguments.smallestEigenvalue,
                        "find out whether the equilibria are minima, as solver.smallest_eigenvalue");
   CLI::Option* checkpoint = runCommand->add_option(
@@ -226,7 +227,7 @@ int runCommandLine(int argc, char** argv) {
       ->needs(checkpoint);
   runCommand->add_option("--resume", arguments.resumeFrom,
                          "go on where the run stood that wrote this checkpoint");
-  addDeviceArguments(*runCommand, arguments);
+  runCommand->add_flag("--quiet", arguments.quiet, "print errors only");
   CLI::App* checkCommand =
       app.add_subcommand("check", "read, measure and design; print the table, solve nothing");
   addSceneArguments(*checkCommand, arguments);
