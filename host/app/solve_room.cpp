@@ -49,6 +49,11 @@ std::string whatIsLacking(const GridShape& shape, Method method, const SolveRoom
     return fmt::format("more than the {} invocations that {} can be asked for at once",
                        room.mostVertices, room.deviceName);
   }
+  if (static_cast<std::uint64_t>(shape.verticesU) > room.mostVerticesU ||
+      static_cast<std::uint64_t>(shape.verticesV) > room.mostVerticesV) {
+    return fmt::format("more than the {} x {} vertices a layer that {} can be asked for at once",
+                       room.mostVerticesU, room.mostVerticesV, room.deviceName);
+  }
   return "";
 }
 
@@ -84,8 +89,13 @@ SolveRoom roomOn(const Device& device) {
   const std::uint64_t largestBuffer =
       std::min(std::uint64_t{limits.maxTexelBufferElements} * sizeof(vec4),
                std::uint64_t{maintenance.maxMemoryAllocationSize});
-  return {device.name(), availableMemory(device), largestBuffer, limits.maxStorageBufferRange,
-          std::uint64_t{limits.maxComputeWorkGroupCount[0]} * kVectorInvocations};
+  return {device.name(),
+          availableMemory(device),
+          largestBuffer,
+          limits.maxStorageBufferRange,
+          std::uint64_t{limits.maxComputeWorkGroupCount[0]} * kVectorInvocations,
+          std::uint64_t{limits.maxComputeWorkGroupCount[0]} * device.subgroupSize(),
+          limits.maxComputeWorkGroupCount[1]};
 }
 
 std::optional<std::string> whyTooLarge(const GridShape& shape, Method method,

@@ -10,7 +10,8 @@ namespace {
 using testing::HasSubstr;
 
 constexpr std::uint64_t kPlenty = std::uint64_t{1} << 50;
-const SolveRoom kAllRoom{"GPU", {kPlenty, kPlenty, false}, kPlenty, kPlenty, kPlenty};
+const SolveRoom kAllRoom{"GPU",  {kPlenty, kPlenty, false}, kPlenty, kPlenty, kPlenty, kPlenty,
+                         kPlenty};
 const GridShape kShape{301, 201, 3};
 
 std::string complaint(const SolveRoom& room, Method method = Method::multigrid) {
@@ -25,6 +26,8 @@ TEST(SolveRoom, WhatFitsIsFine) {
   exact.largestBuffer = needed.largestBuffer;
   exact.mostBound = needed.mostBound;
   exact.mostVertices = 301 * 201 * 3;
+  exact.mostVerticesU = 301;
+  exact.mostVerticesV = 201;
   EXPECT_EQ(complaint(exact), "");
 }
 
@@ -46,6 +49,10 @@ TEST(SolveRoom, WhatIsLackingIsNamed) {
   room = kAllRoom;
   room.mostVertices = 100'000;
   EXPECT_THAT(complaint(room), HasSubstr("100000 invocations"));
+  room = kAllRoom;
+  room.mostVerticesV = 200;
+  EXPECT_THAT(complaint(room), HasSubstr("x 200 vertices a layer"));
+  EXPECT_THAT(complaint(room), HasSubstr("299 x 199 nodes"));
 }
 
 TEST(SolveRoom, ADeviceThatIsTheHostSharesItsMemory) {
