@@ -232,9 +232,11 @@ std::string toMarkdown(const std::string& deviceName, const std::vector<Result>&
       "shrink to nothing.\n"
       "*Eigenvalue*: the smallest of the exact Hessian beyond the rigid motions, over the mean "
       "stiffness\n"
-      "([method](method.md#minimum-or-saddle)): positive in a minimum, undecided where it stays "
-      "within its residual in\n"
-      "{} steps; a dash above {} vertices, where the search on the CPU takes long.\n\n",
+      "([method](method.md#minimum-or-saddle)): positive in a minimum, negative in a saddle, "
+      "undecided where it stays\n"
+      "within its residual in {} steps; a dash above {} vertices, where the search on the CPU "
+      "takes long. With angle 0\n"
+      "a strut that is compressed by ever so little has nothing else to hold it: a saddle.\n\n",
       deviceName, kCycleLimit, kFollowingSteps, kMostVerticesFollowed,
       EigenvalueOptions{}.iterationLimit, kMostVerticesJudged);
   text += summarise(results) + "\n" + kTableHead;
