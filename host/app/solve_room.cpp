@@ -41,9 +41,18 @@ std::string whatIsLacking(const GridShape& shape, Method method, const SolveRoom
     return fmt::format("a buffer of {}, {} has them of {} at most", gigabytes(needed.largestBuffer),
                        room.deviceName, gigabytes(room.largestBuffer));
   }
+  if (needed.mostBound > room.mostBound) {
+    return fmt::format("{} of one buffer at a time, {} reaches {} at most",
+                       gigabytes(needed.mostBound), room.deviceName, gigabytes(room.mostBound));
+  }
   if (vertexCount(shape) > double(room.mostVertices)) {
     return fmt::format("more than the {} invocations that {} can be asked for at once",
                        room.mostVertices, room.deviceName);
+  }
+  if (static_cast<std::uint64_t>(shape.verticesU) > room.mostVerticesU ||
+      static_cast<std::uint64_t>(shape.verticesV) > room.mostVerticesV) {
+    return fmt::format("more than the {} x {} vertices a layer that {} can be asked for at once",
+                       room.mostVerticesU, room.mostVerticesV, room.deviceName);
   }
   return "";
 }
@@ -78,11 +87,15 @@ SolveRoom roomOn(const Device& device) {
           .getProperties2<vk::PhysicalDeviceProperties2, vk::PhysicalDeviceMaintenance3Properties>()
           .get<vk::PhysicalDeviceMaintenance3Properties>();
   const std::uint64_t largestBuffer =
-      std::min({std::uint64_t{limits.maxStorageBufferRange},
-                std::uint64_t{limits.maxTexelBufferElements} * sizeof(vec4),
-                std::uint64_t{maintenance.maxMemoryAllocationSize}});
-  return {device.name(), availableMemory(device), largestBuffer,
-          std::uint64_t{limits.maxComputeWorkGroupCount[0]} * kVectorInvocations};
+      std::min(std::uint64_t{limits.maxTexelBufferElements} * sizeof(vec4),
+               std::uint64_t{maintenance.maxMemoryAllocationSize});
+  return {device.name(),
+          availableMemory(device),
+          largestBuffer,
+          limits.maxStorageBufferRange,
+          std::uint64_t{limits.maxComputeWorkGroupCount[0]} * kVectorInvocations,
+          std::uint64_t{limits.maxComputeWorkGroupCount[0]} * device.subgroupSize(),
+          limits.maxComputeWorkGroupCount[1]};
 }
 
 std::optional<std::string> whyTooLarge(const GridShape& shape, Method method,

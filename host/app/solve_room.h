@@ -11,8 +11,11 @@ namespace morphgrid {
 struct SolveRoom {
   std::string deviceName;
   AvailableMemory memory;
-  std::uint64_t largestBuffer;  ///< Bytes that shaders can reach of one.
-  std::uint64_t mostVertices;   ///< That one dispatch can visit.
+  std::uint64_t largestBuffer;  ///< Bytes.
+  std::uint64_t mostBound;      ///< Bytes of one that a kernel can write.
+  std::uint64_t mostVertices;   ///< That one dispatch can visit; in a row, and so many rows:
+  std::uint64_t mostVerticesU;
+  std::uint64_t mostVerticesV;
 };
 
 SolveRoom roomOn(const Device& device);

@@ -18,12 +18,6 @@ vk::MemoryPropertyFlags propertiesOf(MemoryKind kind) {
 Buffer::Buffer(const Device& device, vk::DeviceSize bytes, vk::BufferUsageFlags usage,
                MemoryKind kind)
     : bytes_(bytes) {
-  const vk::DeviceSize limit = device.limits().maxStorageBufferRange;
-  if ((usage & vk::BufferUsageFlagBits::eStorageBuffer) && bytes > limit) {
-    throw DeviceError(fmt::format(
-        "device {} binds at most {} MiB of a buffer, {} MiB are needed; use a smaller grid",
-        device.name(), limit >> 20, (bytes + (1 << 20) - 1) >> 20));
-  }
   try {
     buffer_ = vk::raii::Buffer(device.handle(), vk::BufferCreateInfo({}, bytes, usage));
     const auto needs = buffer_.getMemoryRequirements();

@@ -14,7 +14,7 @@ enum class MemoryKind {
 /// A buffer with memory of its own.
 class Buffer {
  public:
-  /// bytes > 0. Throws DeviceError when memory runs out or a limit is exceeded.
+  /// bytes > 0. Throws DeviceError when memory runs out.
   Buffer(const Device& device, vk::DeviceSize bytes, vk::BufferUsageFlags usage, MemoryKind kind);
 
   vk::Buffer handle() const { return *buffer_; }

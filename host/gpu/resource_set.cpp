@@ -1,5 +1,9 @@
 #include "gpu/resource_set.h"
 
+#include <fmt/format.h>
+
+#include "core/error.h"
+
 namespace morphgrid {
 namespace {
 
@@ -13,10 +17,20 @@ vk::raii::DescriptorPool createPool(const Device& device,
                                vk::DescriptorPoolCreateFlagBits::eFreeDescriptorSet, 1, sizes)};
 }
 
+vk::DescriptorBufferInfo bufferInfo(const Device& device, const BufferRange& range) {
+  const vk::DeviceSize limit = device.limits().maxStorageBufferRange;
+  if (range.bytes > limit) {
+    throw DeviceError(fmt::format(
+        "device {} binds at most {} MiB of a buffer, {} MiB are needed; use a smaller grid",
+        device.name(), limit >> 20, (range.bytes + (1 << 20) - 1) >> 20));
+  }
+  return {range.buffer->handle(), range.offset, range.bytes};
+}
+
 void writeDescriptor(const Device& device, vk::DescriptorSet set, const KernelResource& resource) {
   vk::WriteDescriptorSet write(set, resource.binding, 0, 1, resource.type());
-  if (const auto* buffer = std::get_if<const Buffer*>(&resource.resource)) {
-    const vk::DescriptorBufferInfo info((*buffer)->handle(), 0, VK_WHOLE_SIZE);
+  if (const auto* range = std::get_if<BufferRange>(&resource.resource)) {
+    const vk::DescriptorBufferInfo info = bufferInfo(device, *range);
     write.pBufferInfo = &info;
     device.handle().updateDescriptorSets(write, {});
   } else {
@@ -29,7 +43,7 @@ void writeDescriptor(const Device& device, vk::DescriptorSet set, const KernelRe
 }  // namespace
 
 vk::DescriptorType KernelResource::type() const {
-  if (std::holds_alternative<const Buffer*>(resource)) {
+  if (std::holds_alternative<BufferRange>(resource)) {
     return vk::DescriptorType::eStorageBuffer;
   }
   return std::get<const TexelView*>(resource)->access() == TexelAccess::fetch

@@ -7,10 +7,23 @@
 
 namespace morphgrid {
 
+/// What a shader reaches of a storage buffer. Devices limit `bytes`, whatever the buffer's size,
+/// and choose what `offset` is a multiple of (at most 256).
+struct BufferRange {
+  // NOLINTNEXTLINE(google-explicit-constructor): a buffer stands for all of it.
+  BufferRange(const Buffer* whole) : buffer(whole), offset(0), bytes(whole->bytes()) {}
+  BufferRange(const Buffer* part, vk::DeviceSize from, vk::DeviceSize length)
+      : buffer(part), offset(from), bytes(length) {}
+
+  const Buffer* buffer;
+  vk::DeviceSize offset;
+  vk::DeviceSize bytes;
+};
+
 /// What a shader reads or writes at a binding number: a storage buffer or a view of texels.
 struct KernelResource {
   std::uint32_t binding;
-  std::variant<const Buffer*, const TexelView*> resource;
+  std::variant<BufferRange, const TexelView*> resource;
 
   vk::DescriptorType type() const;
 };
@@ -34,6 +47,7 @@ vk::raii::DescriptorSetLayout createSetLayout(const Device& device,
 /// Resources bound together. They must outlive it.
 class ResourceSet {
  public:
+  /// Throws DeviceError when the device cannot reach as much of a buffer.
   ResourceSet(const Device& device, vk::DescriptorSetLayout layout,
               const std::vector<KernelResource>& resources);
 

@@ -33,15 +33,20 @@ ColumnTransfer::ColumnTransfer(const Device& device, const DeviceGrid& grid,
       restriction_(
           kernel(restrict_columns_comp_spirv, {{kBindingFineVector, &residualTexels_},
                                                {kBindingResult, &columns.rightSide().buffer()}})),
-      prolongation_(
-          kernel(prolong_columns_comp_spirv, {{kBindingCoarseVector, &columns.result().texels()},
-                                              {kBindingFineVector, &correctionTexels_},
-                                              {kBindingFineResult, &correction}})) {}
+      prolongation_(family(prolong_columns_comp_spirv)
+                        .bind({{kBindingPositions, &positionTexels_},
+                               {kBindingCoarseVector, &columns.result().texels()},
+                               {kBindingFineVector, &correctionTexels_},
+                               {kBindingFineResult, &correction}})) {}
 
-ComputeKernel ColumnTransfer::kernel(ShaderCode spirv,
-                                     std::vector<KernelResource> resources) const {
+KernelFamily ColumnTransfer::family(ShaderCode spirv) const {
+  return {device_, spirv, sizeof(ColumnPush), {device_.subgroupSize()}};
+}
+
+PointKernel ColumnTransfer::kernel(ShaderCode spirv, std::vector<KernelResource> resources) const {
   resources.push_back({kBindingPositions, &positionTexels_});
-  return {device_, spirv, resources, sizeof(ColumnPush), {device_.subgroupSize()}};
+  KernelFamily kernels = family(spirv);
+  return {device_, kernels, columns_.points(), resources};
 }
 
 ColumnPush ColumnTransfer::push(double damping) const {
@@ -55,7 +60,7 @@ ColumnPush ColumnTransfer::push(double damping) const {
                       static_cast<float>(grid_.angleWeight()),
                       0,
                       0};
-  return {grid, centreLayer(shape), static_cast<float>(damping)};
+  return {grid, centreLayer(shape), static_cast<float>(damping), 0};
 }
 
 void ColumnTransfer::recordCentres(CommandStream& stream) const {
@@ -65,11 +70,11 @@ void ColumnTransfer::recordCentres(CommandStream& stream) const {
 }
 
 void ColumnTransfer::recordMatrix(CommandStream& stream, double damping) const {
-  dispatchPoints(device_, stream, matrix_, push(damping), columns_.points());
+  matrix_.record(stream, push(damping));
 }
 
 void ColumnTransfer::recordRestriction(CommandStream& stream) const {
-  dispatchPoints(device_, stream, restriction_, push(0), columns_.points());
+  restriction_.record(stream, push(0));
 }
 
 void ColumnTransfer::recordProlongation(CommandStream& stream) const {

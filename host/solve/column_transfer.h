@@ -25,7 +25,8 @@ class ColumnTransfer {
 
  private:
   ColumnPush push(double damping) const;
-  ComputeKernel kernel(ShaderCode spirv, std::vector<KernelResource> resources) const;
+  KernelFamily family(ShaderCode spirv) const;
+  PointKernel kernel(ShaderCode spirv, std::vector<KernelResource> resources) const;
 
   const Device& device_;
   const DeviceGrid& grid_;
@@ -35,8 +36,8 @@ class ColumnTransfer {
   TexelView residualTexels_;
   TexelView correctionTexels_;
   GridTexels gridTexels_;
-  ComputeKernel matrix_;
-  ComputeKernel restriction_;
+  PointKernel matrix_;
+  PointKernel restriction_;
   ComputeKernel prolongation_;
 };
 

@@ -108,50 +108,49 @@ std::vector<KernelResource> PointLevel::matrixBuffers() const {
   return resources;
 }
 
-ComputeKernel PointLevel::inversionKernel(PointKernels& kernels) const {
+PointKernel PointLevel::inversionKernel(PointKernels& kernels) const {
   std::vector<KernelResource> resources;
   matrix_[kStencilSelf].appendTexels(resources, kBindingMatrix);
   inverse_.appendBuffers(resources, kBindingInverse);
-  return kernels.inversion.bind(resources);
+  return {device_, kernels.inversion, points_, resources};
 }
 
-ComputeKernel PointLevel::firstSmoothingKernel(PointKernels& kernels) const {
+PointKernel PointLevel::firstSmoothingKernel(PointKernels& kernels) const {
   std::vector<KernelResource> resources{{kBindingRightSide, &rightSide_.texels()},
                                         {kBindingResult, &iterate_.buffer()}};
   inverse_.appendTexels(resources, kBindingInverse);
-  return kernels.firstSmoothing.bind(resources);
+  return {device_, kernels.firstSmoothing, points_, resources};
 }
 
-ComputeKernel PointLevel::residualKernel(PointKernels& kernels) const {
+PointKernel PointLevel::residualKernel(PointKernels& kernels) const {
   std::vector<KernelResource> resources = matrixTexels();
   resources.insert(resources.end(), {{kBindingIterate, &iterate_.texels()},
                                      {kBindingRightSide, &rightSide_.texels()},
                                      {kBindingResult, &result_.buffer()}});
-  return kernels.residual.bind(resources);
+  return {device_, kernels.residual, points_, resources};
 }
 
-ComputeKernel PointLevel::smoothingKernel(PointKernels& kernels) const {
+PointKernel PointLevel::smoothingKernel(PointKernels& kernels) const {
   std::vector<KernelResource> resources = matrixTexels();
   resources.insert(resources.end(), {{kBindingIterate, &iterate_.texels()},
                                      {kBindingRightSide, &rightSide_.texels()},
                                      {kBindingResult, &result_.buffer()}});
   inverse_.appendTexels(resources, kBindingInverse);
-  return kernels.smoothing.bind(resources);
+  return {device_, kernels.smoothing, points_, resources};
 }
 
-void PointLevel::dispatch(CommandStream& stream, const ComputeKernel& kernel) const {
-  const SmoothingPush push{points_.u, points_.v, static_cast<float>(smoothingWeight_)};
-  dispatchPoints(device_, stream, kernel, push, points_);
+SmoothingPush PointLevel::push() const {
+  return {points_.u, points_.v, static_cast<float>(smoothingWeight_), 0};
 }
 
-void PointLevel::recordInversion(CommandStream& stream) const { dispatch(stream, inversion_); }
+void PointLevel::recordInversion(CommandStream& stream) const { inversion_.record(stream, push()); }
 
 void PointLevel::recordFirstSmoothing(CommandStream& stream) const {
-  dispatch(stream, firstSmoothing_);
+  firstSmoothing_.record(stream, push());
 }
 
-void PointLevel::recordResidual(CommandStream& stream) const { dispatch(stream, residual_); }
+void PointLevel::recordResidual(CommandStream& stream) const { residual_.record(stream, push()); }
 
-void PointLevel::recordSmoothing(CommandStream& stream) const { dispatch(stream, smoothing_); }
+void PointLevel::recordSmoothing(CommandStream& stream) const { smoothing_.record(stream, push()); }
 
 }  // namespace morphgrid

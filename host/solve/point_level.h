@@ -1,20 +1,10 @@
 #pragma once
 #include <array>
 
-#include "gpu/command_stream.h"
 #include "shared/multigrid_types.h"
-#include "solve/kernel_family.h"
+#include "solve/point_kernel.h"
 
 namespace morphgrid {
-
-/// How many points a coarse level of multigrid has; in a row of the grid, and rows.
-struct PointGrid {
-  int u;
-  int v;
-
-  int count() const { return u * v; }
-  bool operator==(const PointGrid&) const = default;
-};
 
 /// A buffer that kernels write, with a view through which they read texels of four components.
 class TexelBuffer {
@@ -94,11 +84,11 @@ class PointLevel {
   double smoothingWeight() const { return smoothingWeight_; }
 
  private:
-  void dispatch(CommandStream& stream, const ComputeKernel& kernel) const;
-  ComputeKernel inversionKernel(PointKernels& kernels) const;
-  ComputeKernel firstSmoothingKernel(PointKernels& kernels) const;
-  ComputeKernel residualKernel(PointKernels& kernels) const;
-  ComputeKernel smoothingKernel(PointKernels& kernels) const;
+  SmoothingPush push() const;
+  PointKernel inversionKernel(PointKernels& kernels) const;
+  PointKernel firstSmoothingKernel(PointKernels& kernels) const;
+  PointKernel residualKernel(PointKernels& kernels) const;
+  PointKernel smoothingKernel(PointKernels& kernels) const;
 
   const Device& device_;
   PointGrid points_;
@@ -109,19 +99,10 @@ class PointLevel {
   TexelBuffer rightSide_;
   TexelBuffer iterate_;
   TexelBuffer result_;
-  ComputeKernel inversion_;
-  ComputeKernel firstSmoothing_;
-  ComputeKernel residual_;
-  ComputeKernel smoothing_;
+  PointKernel inversion_;
+  PointKernel firstSmoothing_;
+  PointKernel residual_;
+  PointKernel smoothing_;
 };
-
-/// Dispatches one invocation a point, or a column.
-template <typename Push>
-void dispatchPoints(const Device& device, CommandStream& stream, const ComputeKernel& kernel,
-                    const Push& push, PointGrid points) {
-  const std::uint32_t width = device.subgroupSize();
-  stream.dispatch(kernel, push, (static_cast<std::uint32_t>(points.u) + width - 1) / width,
-                  static_cast<std::uint32_t>(points.v));
-}
 
 }  // namespace morphgrid

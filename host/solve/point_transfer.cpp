@@ -3,14 +3,14 @@
 namespace morphgrid {
 namespace {
 
-ComputeKernel productKernel(PointKernels& kernels, const PointLevel& fine, const PointLevel& coarse,
-                            const TexelBuffer& levers) {
+std::vector<KernelResource> productResources(const PointLevel& fine, const PointLevel& coarse,
+                                             const TexelBuffer& levers) {
   std::vector<KernelResource> resources = fine.matrixTexels();
   const std::vector<KernelResource> written = coarse.matrixBuffers();
   resources.insert(resources.end(), written.begin(), written.end());
   resources.push_back({kBindingCoarseCentres, &coarse.centres().texels()});
   resources.push_back({kBindingLevers, &levers.texels()});
-  return kernels.product.bind(resources);
+  return resources;
 }
 
 }  // namespace
@@ -28,36 +28,40 @@ PointTransfer::PointTransfer(const Device& device, PointKernels& kernels, const 
       centresKernel_(kernels.levers.bind({{kBindingCentres, &fine.centres().texels()},
                                           {kBindingCoarseCentres, &coarse.centres().buffer()},
                                           {kBindingLevers, &levers_.buffer()}})),
-      product_(productKernel(kernels, fine, coarse, levers_)),
-      restriction_(kernels.restriction.bind({{kBindingFineVector, &fine.result().texels()},
-                                             {kBindingCoarseCentres, &coarse.centres().texels()},
-                                             {kBindingLevers, &levers_.texels()},
-                                             {kBindingResult, &coarse.rightSide().buffer()}})),
-      prolongation_(kernels.prolongation.bind({{kBindingCoarseVector, &coarse.result().texels()},
-                                               {kBindingCoarseCentres, &coarse.centres().texels()},
-                                               {kBindingLevers, &levers_.texels()},
-                                               {kBindingFineVector, &fine.iterate().texels()},
-                                               {kBindingFineResult, &fine.iterate().buffer()}})) {}
+      product_(device, kernels.product, coarse.points(), productResources(fine, coarse, levers_)),
+      restriction_(device, kernels.restriction, coarse.points(),
+                   {{kBindingFineVector, &fine.result().texels()},
+                    {kBindingCoarseCentres, &coarse.centres().texels()},
+                    {kBindingLevers, &levers_.texels()},
+                    {kBindingResult, &coarse.rightSide().buffer()}}),
+      prolongation_(device, kernels.prolongation, fine.points(),
+                    {{kBindingCoarseVector, &coarse.result().texels()},
+                     {kBindingCoarseCentres, &coarse.centres().texels()},
+                     {kBindingLevers, &levers_.texels()},
+                     {kBindingFineVector, &fine.iterate().texels()},
+                     {kBindingFineResult, &fine.iterate().buffer()}}) {}
 
 TransferPush PointTransfer::push() const {
-  return {fine_.points().u, fine_.points().v, coarse_.points().u, coarse_.points().v,
-          static_cast<float>(resolution_)};
+  return {fine_.points().u,
+          fine_.points().v,
+          coarse_.points().u,
+          coarse_.points().v,
+          static_cast<float>(resolution_),
+          0};
 }
 
 void PointTransfer::recordCentres(CommandStream& stream) const {
   dispatchPoints(device_, stream, centresKernel_, push(), fine_.points());
 }
 
-void PointTransfer::recordProduct(CommandStream& stream) const {
-  dispatchPoints(device_, stream, product_, push(), coarse_.points());
-}
+void PointTransfer::recordProduct(CommandStream& stream) const { product_.record(stream, push()); }
 
 void PointTransfer::recordRestriction(CommandStream& stream) const {
-  dispatchPoints(device_, stream, restriction_, push(), coarse_.points());
+  restriction_.record(stream, push());
 }
 
 void PointTransfer::recordProlongation(CommandStream& stream) const {
-  dispatchPoints(device_, stream, prolongation_, push(), fine_.points());
+  prolongation_.record(stream, push());
 }
 
 }  // namespace morphgrid

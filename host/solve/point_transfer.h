@@ -34,9 +34,9 @@ class PointTransfer {
   double resolution_;
   TexelBuffer levers_;
   ComputeKernel centresKernel_;
-  ComputeKernel product_;
-  ComputeKernel restriction_;
-  ComputeKernel prolongation_;
+  PointKernel product_;
+  PointKernel restriction_;
+  PointKernel prolongation_;
 };
 
 }  // namespace morphgrid

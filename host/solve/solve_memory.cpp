@@ -4,6 +4,7 @@
 
 #include "shared/multigrid_types.h"
 #include "shared/solver_types.h"
+#include "solve/point_kernel.h"
 
 namespace morphgrid {
 namespace {
@@ -37,14 +38,19 @@ std::uint64_t points(const GridShape& shape) {
 SolveMemory multigridMemory(const GridShape& shape) {
   const std::uint64_t texels = (kGridTexels + kStagingTexels + kDescentTexels) * vertices(shape) +
                                kPointTexels * points(shape);
-  const std::uint64_t columns = std::uint64_t(shape.verticesU) * shape.verticesV;
+  const auto partTexels = [&](int rows) {
+    return kPartTexels * static_cast<std::uint64_t>(shape.verticesU) *
+           static_cast<std::uint64_t>(rows);
+  };
   return {kTexel * texels, kHostBytesPerVertex * vertices(shape),
-          kTexel * std::max(vertices(shape), kPartTexels * columns)};
+          kTexel * std::max(vertices(shape), partTexels(shape.verticesV)),
+          kTexel * std::max(vertices(shape), partTexels(std::min(shape.verticesV, kChunkRows)))};
 }
 
 SolveMemory jacobiMemory(const GridShape& shape) {
   return {kTexel * (kGridTexels + kStagingTexels) * vertices(shape),
-          kHostBytesPerVertex * vertices(shape), kTexel * vertices(shape)};
+          kHostBytesPerVertex * vertices(shape), kTexel * vertices(shape),
+          kTexel * vertices(shape)};
 }
 
 }  // namespace morphgrid

@@ -10,6 +10,7 @@ struct SolveMemory {
   std::uint64_t device;
   std::uint64_t host;
   std::uint64_t largestBuffer;  ///< Of those on the device.
+  std::uint64_t mostBound;      ///< Of a buffer that kernels write, in the chunks in which they do.
 };
 
 /// A stage of solveMultigrid(), with checkpoints.

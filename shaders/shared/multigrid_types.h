@@ -19,10 +19,9 @@ CONSTANT uint kStencilNorthEast = 3u;
 CONSTANT uint kStencilNorthWest = 4u;
 CONSTANT uint kStencilSize = 5u;
 
-// A block is 9 texels in 3 buffers, so that none exceeds a device's limit: texel n of them is texel
-// 3 p + n % 3 of buffer n / 3, p the point: with the block's quarters of 3 x 3, column n % 3 of
-// (tt, tw, wt)[n / 3] in xyz, and ww[n / 3][n % 3] in w. Point by point, as 45 streams are more
-// than a processor fetches ahead.
+// A block is 9 texels in 3 buffers: texel n of them is texel 3 p + n % 3 of buffer n / 3, p the
+// point: with the block's quarters of 3 x 3, column n % 3 of (tt, tw, wt)[n / 3] in xyz, and
+// ww[n / 3][n % 3] in w. Point by point, as 45 streams are more than a processor fetches ahead.
 CONSTANT uint kBlockParts = 3u;
 CONSTANT uint kPartTexels = 3u;
 
@@ -43,6 +42,7 @@ struct SmoothingPush {
   int pointsU;
   int pointsV;
   float weight;  // omega
+  int firstRow;  // Of the points dispatched, see point_rows.glsl; so below.
 };
 
 struct TransferPush {
@@ -51,12 +51,14 @@ struct TransferPush {
   int coarseU;
   int coarseV;
   float resolution;  // Spacings per step of the fixed-point positions.
+  int firstRow;
 };
 
 struct ColumnPush {
   GridPush grid;
   int centreLayer;  // Whose vertices are the columns' centres.
   float damping;    // Weight of every edge in a Laplacian that is added to the Hessian.
+  int firstRow;
 };
 
 struct CoarsestPush {
@@ -64,9 +66,9 @@ struct CoarsestPush {
 };
 
 #ifdef __cplusplus
-static_assert(sizeof(SmoothingPush) == 12);
-static_assert(sizeof(TransferPush) == 20);
-static_assert(sizeof(ColumnPush) == 40);
+static_assert(sizeof(SmoothingPush) == 16);
+static_assert(sizeof(TransferPush) == 24);
+static_assert(sizeof(ColumnPush) == 44);
 static_assert(sizeof(CoarsestPush) == 4);
 }  // namespace morphgrid
 #endif

@@ -5,6 +5,7 @@
 #include "shared/multigrid_types.h"
 #include "solve/block.glsl"
 #include "solve/point_matrix.glsl"
+#include "solve/point_rows.glsl"
 #include "solve/store_stencil.glsl"
 #include "solve/transfer.glsl"
 
@@ -54,7 +55,7 @@ void addRow(inout Stencil stencil, ivec2 row) {
 void main() {
   findSizes();
   matrixSize = fineSize;
-  point = ivec2(gl_GlobalInvocationID.xy);
+  point = pointOf(push.firstRow);
   if (point.x >= coarseSize.x) {
     return;
   }
@@ -69,5 +70,5 @@ void main() {
       addRow(stencil, finePointOf(point) + ivec2(u, v));
     }
   }
-  storeStencil(nearestIndex(point, coarseSize), stencil);
+  storeStencil(writtenIndex(coarseSize.x), stencil);
 }

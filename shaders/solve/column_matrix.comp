@@ -9,6 +9,7 @@
 #include "solve/block.glsl"
 #include "solve/columns_of_points.glsl"
 #include "solve/corner_derivative.glsl"
+#include "solve/point_rows.glsl"
 #include "solve/store_stencil.glsl"
 
 layout(local_size_x_id = 0) in;
@@ -153,7 +154,7 @@ void addFacesAround(inout Stencil stencil, int layer, int quarter) {
 }
 
 void main() {
-  p = ivec2(gl_GlobalInvocationID.xy);
+  p = pointOf(push.firstRow);
   if (!isColumn(p)) {
     return;
   }
@@ -167,5 +168,5 @@ void main() {
       addVerticalStrut(stencil.self, layer);
     }
   }
-  storeStencil(vertexIndex(p, 0), stencil);
+  storeStencil(writtenIndex(push.grid.verticesU), stencil);
 }

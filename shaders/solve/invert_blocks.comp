@@ -4,6 +4,7 @@
 #extension GL_EXT_control_flow_attributes : require
 #include "shared/multigrid_types.h"
 #include "solve/block.glsl"
+#include "solve/point_rows.glsl"
 #include "solve/symmetric_inverse.glsl"
 
 layout(local_size_x_id = 0) in;
@@ -21,7 +22,7 @@ layout(push_constant) uniform Push { SmoothingPush push; };
 const float kLeastPivot = 1e-5;
 
 void main() {
-  ivec2 p = ivec2(gl_GlobalInvocationID.xy);
+  ivec2 p = pointOf(push.firstRow);
   if (p.x >= push.pointsU) {
     return;
   }
@@ -35,5 +36,5 @@ void main() {
   inverse.wt = -inverse.ww * wtTimesInverse;
   inverse.tw = transpose(inverse.wt);
   inverse.tt = inverseTt - transpose(wtTimesInverse) * inverse.wt;
-  STORE_BLOCK(inverse0, inverse1, inverse2, point, inverse);
+  STORE_BLOCK(inverse0, inverse1, inverse2, writtenIndex(push.pointsU), inverse);
 }

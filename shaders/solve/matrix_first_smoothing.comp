@@ -4,6 +4,7 @@
 #extension GL_EXT_control_flow_attributes : require
 #include "shared/multigrid_types.h"
 #include "solve/block.glsl"
+#include "solve/point_rows.glsl"
 
 layout(local_size_x_id = 0) in;
 
@@ -15,11 +16,12 @@ layout(std430, binding = kBindingResult) writeonly buffer Result { vec4 result[]
 layout(push_constant) uniform Push { SmoothingPush push; };
 
 void main() {
-  ivec2 p = ivec2(gl_GlobalInvocationID.xy);
+  ivec2 p = pointOf(push.firstRow);
   if (p.x >= push.pointsU) {
     return;
   }
   int point = p.y * push.pointsU + p.x;
   Motion step = multiply(BLOCK_AT(inverse0, inverse1, inverse2, point), MOTION_AT(rightSide, point));
-  STORE_MOTION(result, point, Motion(push.weight * step.t, push.weight * step.w));
+  STORE_MOTION(result, writtenIndex(push.pointsU),
+               Motion(push.weight * step.t, push.weight * step.w));
 }

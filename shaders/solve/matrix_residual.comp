@@ -4,14 +4,15 @@
 #extension GL_EXT_control_flow_attributes : require
 #include "shared/multigrid_types.h"
 #include "solve/matrix_product.glsl"
+#include "solve/point_rows.glsl"
 
 layout(local_size_x_id = 0) in;
 
 void main() {
   matrixSize = ivec2(push.pointsU, push.pointsV);
-  ivec2 p = ivec2(gl_GlobalInvocationID.xy);
+  ivec2 p = pointOf(push.firstRow);
   Motion r = residualAt(p);
   if (isPoint(p)) {
-    STORE_MOTION(result, pointIndex(p), r);
+    STORE_MOTION(result, writtenIndex(push.pointsU), r);
   }
 }

@@ -4,6 +4,7 @@
 #extension GL_EXT_control_flow_attributes : require
 #include "shared/multigrid_types.h"
 #include "solve/matrix_product.glsl"
+#include "solve/point_rows.glsl"
 
 layout(local_size_x_id = 0) in;
 
@@ -13,11 +14,11 @@ layout(binding = kBindingInverse + 2u, rgba32f) readonly uniform imageBuffer inv
 
 void main() {
   matrixSize = ivec2(push.pointsU, push.pointsV);
-  ivec2 p = ivec2(gl_GlobalInvocationID.xy);
+  ivec2 p = pointOf(push.firstRow);
   Motion step = multiply(BLOCK_AT(inverse0, inverse1, inverse2, pointIndex(p)), residualAt(p));
   Motion x = iterateAt(p);
   if (isPoint(p)) {
-    STORE_MOTION(result, pointIndex(p),
+    STORE_MOTION(result, writtenIndex(push.pointsU),
                  Motion(x.t + push.weight * step.t, x.w + push.weight * step.w));
   }
 }

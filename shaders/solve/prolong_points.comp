@@ -4,6 +4,7 @@
 #extension GL_EXT_control_flow_attributes : require
 #include "shared/multigrid_types.h"
 #include "solve/block.glsl"
+#include "solve/point_rows.glsl"
 #include "solve/transfer.glsl"
 
 layout(local_size_x_id = 0) in;
@@ -17,7 +18,7 @@ layout(std430, binding = kBindingFineResult) writeonly buffer FineResult { vec4 
 
 void main() {
   findSizes();
-  ivec2 p = ivec2(gl_GlobalInvocationID.xy);
+  ivec2 p = pointOf(push.firstRow);
   if (p.x >= fineSize.x) {
     return;
   }
@@ -35,5 +36,5 @@ void main() {
       x.w += share * c.w;
     }
   }
-  STORE_MOTION(fineResult, point, x);
+  STORE_MOTION(fineResult, writtenIndex(fineSize.x), x);
 }

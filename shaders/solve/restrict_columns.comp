@@ -5,6 +5,7 @@
 #include "shared/multigrid_types.h"
 #include "solve/block.glsl"
 #include "solve/columns_of_points.glsl"
+#include "solve/point_rows.glsl"
 
 layout(local_size_x_id = 0) in;
 
@@ -12,7 +13,7 @@ layout(binding = kBindingFineVector, rgba32f) readonly uniform imageBuffer force
 layout(std430, binding = kBindingResult) writeonly buffer Result { vec4 result[]; };
 
 void main() {
-  ivec2 column = ivec2(gl_GlobalInvocationID.xy);
+  ivec2 column = pointOf(push.firstRow);
   if (column.x >= push.grid.verticesU) {
     return;
   }
@@ -23,5 +24,5 @@ void main() {
     total.t += force;
     total.w += cross(between(centre, positionAt(column, layer)), force);
   }
-  STORE_MOTION(result, vertexIndex(column, 0), total);
+  STORE_MOTION(result, writtenIndex(push.grid.verticesU), total);
 }

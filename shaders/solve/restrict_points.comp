@@ -5,6 +5,7 @@
 #extension GL_EXT_control_flow_attributes : require
 #include "shared/multigrid_types.h"
 #include "solve/block.glsl"
+#include "solve/point_rows.glsl"
 #include "solve/transfer.glsl"
 
 layout(local_size_x_id = 0) in;
@@ -16,12 +17,11 @@ layout(std430, binding = kBindingResult) writeonly buffer Result { vec4 result[]
 
 void main() {
   findSizes();
-  ivec2 coarse = ivec2(gl_GlobalInvocationID.xy);
+  ivec2 coarse = pointOf(push.firstRow);
   if (coarse.x >= coarseSize.x) {
     return;
   }
-  int point = nearestIndex(coarse, coarseSize);
-  ivec4 centre = imageLoad(coarseCentres, point);
+  ivec4 centre = imageLoad(coarseCentres, nearestIndex(coarse, coarseSize));
   Motion restricted = kNoMotion;
   [[unroll]] for (int v = -1; v <= 1; ++v) {
     [[unroll]] for (int u = -1; u <= 1; ++u) {
@@ -34,5 +34,5 @@ void main() {
       restricted.w += share * (r.w + cross(lever, r.t));
     }
   }
-  STORE_MOTION(result, point, restricted);
+  STORE_MOTION(result, writtenIndex(coarseSize.x), restricted);
 }

@@ -10,7 +10,8 @@ namespace {
 using testing::HasSubstr;
 
 constexpr std::uint64_t kPlenty = std::uint64_t{1} << 50;
-const SolveRoom kAllRoom{"GPU", {kPlenty, kPlenty, false}, kPlenty, kPlenty};
+const SolveRoom kAllRoom{"GPU",  {kPlenty, kPlenty, false}, kPlenty, kPlenty, kPlenty, kPlenty,
+                         kPlenty};
 const GridShape kShape{301, 201, 3};
 
 std::string complaint(const SolveRoom& room, Method method = Method::multigrid) {
@@ -23,7 +24,10 @@ TEST(SolveRoom, WhatFitsIsFine) {
   const SolveMemory needed = multigridMemory(kShape);
   exact.memory = {needed.device, needed.host, false};
   exact.largestBuffer = needed.largestBuffer;
+  exact.mostBound = needed.mostBound;
   exact.mostVertices = 301 * 201 * 3;
+  exact.mostVerticesU = 301;
+  exact.mostVerticesV = 201;
   EXPECT_EQ(complaint(exact), "");
 }
 
@@ -40,8 +44,15 @@ TEST(SolveRoom, WhatIsLackingIsNamed) {
   room.largestBuffer = 2'000'000;
   EXPECT_THAT(complaint(room), HasSubstr("GPU has them of 0.002 GB at most"));
   room = kAllRoom;
+  room.mostBound = 2'000'000;
+  EXPECT_THAT(complaint(room), HasSubstr("GPU reaches 0.002 GB at most"));
+  room = kAllRoom;
   room.mostVertices = 100'000;
   EXPECT_THAT(complaint(room), HasSubstr("100000 invocations"));
+  room = kAllRoom;
+  room.mostVerticesV = 200;
+  EXPECT_THAT(complaint(room), HasSubstr("x 200 vertices a layer"));
+  EXPECT_THAT(complaint(room), HasSubstr("299 x 199 nodes"));
 }
 
 TEST(SolveRoom, ADeviceThatIsTheHostSharesItsMemory) {
@@ -60,6 +71,17 @@ TEST(SolveRoom, TheLargestSizeThatFitsIsTold) {
               HasSubstr("a grid of 300 x 200 nodes in 3 layers (181503 vertices)"));
   EXPECT_THAT(complaint(room),
               HasSubstr("15 x 10 nodes (528 vertices) would fit: set 15 along the longer edge"));
+}
+
+TEST(SolveRoom, OfOneLayerAsMuchIsReachedAsOfSeveral) {
+  // Its columns' blocks are larger than its vertices, but written in chunks.
+  SolveRoom room = kAllRoom;
+  room.mostBound = std::uint64_t{128} << 20;
+  const GridShape nearlyAll{2896, 2896, 1};
+  EXPECT_EQ(whyTooLarge(nearlyAll, Method::multigrid, room), std::nullopt);
+  EXPECT_THAT(whyTooLarge({2898, 2898, 1}, Method::multigrid, room).value_or(""),
+              HasSubstr("2895 x 2895 nodes (8386816 vertices) would fit"));
+  EXPECT_EQ(whyTooLarge({1672, 1672, 3}, Method::multigrid, room), std::nullopt);
 }
 
 }  // namespace

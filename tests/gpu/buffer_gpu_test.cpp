@@ -1,5 +1,7 @@
 #include "gpu/buffer.h"
 
+#include "core/error.h"
+#include "gpu/resource_set.h"
 #include "tests/support/validated_device.h"
 
 namespace morphgrid {
@@ -32,6 +34,18 @@ TEST_F(DeviceTest, CountsTheMemoryOfItsBuffers) {
   kept.clear();
   EXPECT_EQ(use.current(), 0U);
   EXPECT_EQ(use.peak(), 2 * one);
+}
+
+TEST_F(DeviceTest, BindsAsMuchOfABufferAsShadersReach) {
+  const Device device({.selection = "", .validation = true, .largestStorageBuffer = kBytes / 2});
+  const Buffer buffer = storage(device, MemoryKind::device);
+  const auto layout = createSetLayout(device, {{0, vk::DescriptorType::eStorageBuffer}},
+                                      vk::ShaderStageFlagBits::eCompute);
+  const auto bind = [&](const BufferRange& range) { ResourceSet(device, *layout, {{0, range}}); };
+  EXPECT_NO_THROW(bind({&buffer, kBytes / 2, kBytes / 2}));
+  EXPECT_THROW(bind({&buffer, 0, kBytes / 2 + 16}), DeviceError);
+  EXPECT_THROW(bind(&buffer), DeviceError);
+  EXPECT_TRUE(device.validationMessages().empty());
 }
 
 }  // namespace

@@ -1,12 +1,10 @@
 #include "solve/coarse_levels.h"
 
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <Eigen/Eigenvalues>
 #include <random>
 
-#include "core/error.h"
 #include "solve/coarsest_inverse.h"
 #include "tests/solve/dense_hessian.h"
 #include "tests/solve/dense_multigrid.h"
@@ -351,25 +349,6 @@ INSTANTIATE_TEST_SUITE_P(Shapes, CoarseLevelsTest,
                                   std::to_string(shape.param.verticesV) + "x" +
                                   std::to_string(shape.param.layers);
                          });
-
-/// Three layers: a part of a block a column is as large as the positions.
-constexpr GridShape kLargeShape{70, 60, 3};
-constexpr std::uint32_t kLargestBuffer = 70 * 60 * 3 * 16;
-
-void buildLevelsWithin(std::uint32_t largestStorageBuffer) {
-  const Device device(
-      {.selection = "", .validation = true, .largestStorageBuffer = largestStorageBuffer});
-  const DeviceGrid grid(device, bentGrid(kLargeShape, 1));
-  const Buffer residual = vertexVector(device, kLargeShape);
-  const Buffer correction = vertexVector(device, kLargeShape);
-  CoarseLevels(device, grid, grid.positions(), residual, correction).build();
-  EXPECT_THAT(device.validationMessages(), testing::IsEmpty());
-}
-
-TEST(CoarseLevelsLimits, NoBufferIsLargerThanThePositionsOfThreeLayers) {
-  EXPECT_NO_THROW(buildLevelsWithin(kLargestBuffer));
-  EXPECT_THROW(buildLevelsWithin(kLargestBuffer - 1), DeviceError);
-}
 
 }  // namespace
 }  // namespace morphgrid

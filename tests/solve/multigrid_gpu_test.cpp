@@ -6,6 +6,7 @@
 #include "grid/build_grids.h"
 #include "solve/multigrid_solver.h"
 #include "solve/reference_solver.h"
+#include "solve/solve_memory.h"
 #include "tests/solve/reference_problem.h"
 #include "tests/solve/sample_grids.h"
 #include "tests/support/validated_device.h"
@@ -77,6 +78,32 @@ TEST_F(Multigrid, FlatGridAtRestStaysFlatAndConvergesAtOnce) {
   const Equilibrium result = solve(grid);
   EXPECT_TRUE(result.converged);
   EXPECT_LT(largestAlignedDistance(result.positions, grid.positions), 1e-6);
+}
+
+/// On a device that reaches no more of a buffer than the solve needs.
+Equilibrium solveWithinLeast(const StrutGrid& grid) {
+  const SolveMemory needed = multigridMemory(grid.shape);
+  EXPECT_LT(needed.mostBound, needed.largestBuffer);
+  const Device device({.selection = "",
+                       .validation = true,
+                       .largestStorageBuffer = static_cast<std::uint32_t>(needed.mostBound)});
+  DeviceGrid deviceGrid(device, grid);
+  const Equilibrium found = solveMultigrid(device, grid, deviceGrid, {});
+  EXPECT_EQ(device.validationMessages(), std::vector<std::string>{});
+  return found;
+}
+
+TEST_F(Multigrid, BuffersWrittenInChunksChangeNoBit) {
+  const GridDesign design = designFromBendAngles({14, 63, 2, 0.35, 1, 0.1, 0.05, 0.02, -0.03});
+  const Weights weights;
+  const StrutGrid flat = inPlaneGrid(design, weights, Scaling::normalised);
+  const Equilibrium inPlane = solve(flat);
+  EXPECT_TRUE(inPlane.converged);
+  EXPECT_EQ(solveWithinLeast(flat).positions, inPlane.positions);
+  const StrutGrid stacked = stackedGrid(design, weights, Scaling::normalised, inPlane.positions);
+  const Equilibrium full = solve(stacked);
+  EXPECT_TRUE(full.converged);
+  EXPECT_EQ(solveWithinLeast(stacked).positions, full.positions);
 }
 
 TEST_F(Multigrid, IterationLimitIsKeptAndTold) {

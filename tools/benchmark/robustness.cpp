@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <iostream>
 #include <nlohmann/json.hpp>
@@ -12,6 +13,7 @@
 #include "core/interrupt.h"
 #include "solve/energy.h"
 #include "solve/multigrid_solver.h"
+#include "solve/preconditioners.h"
 #include "solve/reference_solver.h"
 
 namespace morphgrid {
@@ -22,6 +24,8 @@ constexpr double kEnergyError = 1e-6;
 // How far the CPU follows the device's answer downhill, on grids so small that it is quick.
 constexpr int kMostVerticesFollowed = 16000;
 constexpr long kFollowingSteps = 400;
+// The search for the smallest eigenvalue works on the CPU too, with a V-cycle a step.
+constexpr int kMostVerticesJudged = 30000;
 // In stiffness x spacing^2 a vertex: where a grid can come to rest without stress, its energy is
 // compared with this one.
 constexpr double kLittleEnergy = 1e-10;
@@ -39,11 +43,25 @@ struct Result {
   double energyError = 0;  ///< Relative to the lowest known.
   double residual = 0;
   double seconds = 0;
+  std::optional<SmallestEigenvalue> eigenvalue;  ///< Not of large grids.
 };
+
+Equilibrium solve(const Device& device, const StrutGrid& grid, DeviceGrid& deviceGrid) {
+  return solveMultigrid(device, grid, deviceGrid, {.iterationLimit = kCycleLimit});
+}
 
 Equilibrium solve(const Device& device, const StrutGrid& grid) {
   DeviceGrid deviceGrid(device, grid);
-  return solveMultigrid(device, grid, deviceGrid, {.iterationLimit = kCycleLimit});
+  return solve(device, grid, deviceGrid);
+}
+
+/// The device grid rests in the equilibrium.
+std::optional<SmallestEigenvalue> judge(const Device& device, const StrutGrid& grid,
+                                        const DeviceGrid& deviceGrid, const Equilibrium& found) {
+  if (grid.shape.vertexCount() > kMostVerticesJudged) {
+    return std::nullopt;
+  }
+  return computeSmallestEigenvalue(grid, found.positions, vCyclePreconditioner(device, deviceGrid));
 }
 
 /// The device's answer or what the CPU finds downhill from it, in double precision.
@@ -83,7 +101,8 @@ void run(const Device& device, const RobustnessCase& testCase, Result& result) {
   if (testCase.disturb) {
     testCase.disturb(grid);
   }
-  const Equilibrium found = solve(device, grid);
+  DeviceGrid deviceGrid(device, grid);
+  const Equilibrium found = solve(device, grid, deviceGrid);
   const double lowest = lowestEnergyNear(grid, found);
   result.vertices = grid.shape.vertexCount();
   result.converged = inPlane.converged && found.converged;
@@ -98,6 +117,7 @@ void run(const Device& device, const RobustnessCase& testCase, Result& result) {
   result.energyError = (found.energy - lowest) / scale;
   result.residual = found.residual;
   result.seconds = found.seconds;
+  result.eigenvalue = judge(device, grid, deviceGrid, found);
 }
 
 Result resultOf(const Device& device, const RobustnessCase& testCase) {
@@ -113,28 +133,70 @@ Result resultOf(const Device& device, const RobustnessCase& testCase) {
   return result;
 }
 
+nlohmann::json toJson(const std::optional<SmallestEigenvalue>& eigenvalue) {
+  if (!eigenvalue) {
+    return nullptr;
+  }
+  return {{"value", eigenvalue->value},
+          {"residual", eigenvalue->residual},
+          {"iterations", eigenvalue->iterations},
+          {"seconds", eigenvalue->seconds},
+          {"verdict", toString(verdictOf(*eigenvalue))}};
+}
+
 nlohmann::json toJson(const Result& result) {
-  return {{"group", result.group},       {"case", result.name},
-          {"ending", result.ending},     {"converged", result.converged},
-          {"refused", result.refused},   {"vertices", result.vertices},
-          {"cycles", result.cycles},     {"cycles_to_1e-6", result.cyclesToMillionth},
-          {"energy", result.energy},     {"energy_error", result.energyError},
-          {"residual", result.residual}, {"seconds", result.seconds}};
+  return {{"group", result.group},
+          {"case", result.name},
+          {"ending", result.ending},
+          {"converged", result.converged},
+          {"refused", result.refused},
+          {"vertices", result.vertices},
+          {"cycles", result.cycles},
+          {"cycles_to_1e-6", result.cyclesToMillionth},
+          {"energy", result.energy},
+          {"energy_error", result.energyError},
+          {"residual", result.residual},
+          {"seconds", result.seconds},
+          {"smallest_eigenvalue", toJson(result.eigenvalue)}};
+}
+
+std::string toCell(const std::optional<SmallestEigenvalue>& eigenvalue) {
+  if (!eigenvalue) {
+    return "-";
+  }
+  const Verdict verdict = verdictOf(*eigenvalue);
+  return verdict == Verdict::minimum
+             ? fmt::format("{:.1e}", eigenvalue->value)
+             : fmt::format("**{:.1e}, {}**", eigenvalue->value, toString(verdict));
 }
 
 std::string toRow(const Result& result) {
   if (result.vertices == 0) {
-    return fmt::format("| {} | {} | | {} | | | | | |\n", result.group, result.name, result.ending);
+    return fmt::format("| {} | {} | | {} | | | | | | |\n", result.group, result.name,
+                       result.ending);
   }
-  return fmt::format("| {} | {} | {} | {} | {} | {} | {:.6g} | {:.1e} | {:.1e} |\n", result.group,
-                     result.name, result.vertices,
+  return fmt::format("| {} | {} | {} | {} | {} | {} | {:.6g} | {:.1e} | {:.1e} | {} |\n",
+                     result.group, result.name, result.vertices,
                      result.converged ? result.ending : "**" + result.ending + "**", result.cycles,
-                     result.cyclesToMillionth, result.energy, result.energyError, result.residual);
+                     result.cyclesToMillionth, result.energy, result.energyError, result.residual,
+                     toCell(result.eigenvalue));
 }
 
 constexpr const char* kTableHead =
-    "| group | grid | vertices | ended by | cycles | to 1e-6 | energy | error | residual |\n"
-    "| --- | --- | --- | --- | --- | --- | --- | --- | --- |\n";
+    "| group | grid | vertices | ended by | cycles | to 1e-6 | energy | error | residual | "
+    "eigenvalue |\n"
+    "| --- | --- | --- | --- | --- | --- | --- | --- | --- | --- |\n";
+
+/// How many came to rest in a minimum.
+std::string summariseVerdicts(const std::vector<Result>& results) {
+  const auto count = [&](Verdict verdict) {
+    return std::count_if(results.begin(), results.end(), [&](const Result& result) {
+      return result.eigenvalue && verdictOf(*result.eigenvalue) == verdict;
+    });
+  };
+  return fmt::format("Minima: {}; saddles: {}; undecided: {}.\n", count(Verdict::minimum),
+                     count(Verdict::saddle), count(Verdict::undecided));
+}
 
 /// How many converged, and where most cycles went.
 std::string summarise(const std::vector<Result>& results) {
@@ -149,7 +211,8 @@ std::string summarise(const std::vector<Result>& results) {
     }
   }
   return fmt::format("{} of {} grids converged; {} more cannot be printed. Most cycles: {} ({}).\n",
-                     converged, results.size() - refused, refused, longest->cycles, longest->name);
+                     converged, results.size() - refused, refused, longest->cycles, longest->name) +
+         summariseVerdicts(results);
 }
 
 std::string toMarkdown(const std::string& deviceName, const std::vector<Result>& results) {
@@ -166,8 +229,16 @@ std::string toMarkdown(const std::string& deviceName, const std::vector<Result>&
       "downhill from there (up to {} steps, on grids of at most {} vertices), else the same. tau "
       "is in spacings; where\n"
       "Eq. 21 forbids it for the shrinkage the grid is made all the same, unless a strut would "
-      "shrink to nothing.\n\n",
-      deviceName, kCycleLimit, kFollowingSteps, kMostVerticesFollowed);
+      "shrink to nothing.\n"
+      "*Eigenvalue*: the smallest of the exact Hessian beyond the rigid motions, over the mean "
+      "stiffness\n"
+      "([method](method.md#minimum-or-saddle)): positive in a minimum, negative in a saddle, "
+      "undecided where it stays\n"
+      "within its residual in {} steps; a dash above {} vertices, where the search on the CPU "
+      "takes long. With angle 0\n"
+      "a strut that is compressed by ever so little has nothing else to hold it: a saddle.\n\n",
+      deviceName, kCycleLimit, kFollowingSteps, kMostVerticesFollowed,
+      EigenvalueOptions{}.iterationLimit, kMostVerticesJudged);
   text += summarise(results) + "\n" + kTableHead;
   for (const Result& result : results) {
     text += toRow(result);
