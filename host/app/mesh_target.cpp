@@ -51,7 +51,7 @@ MeshTarget loadConfigured(const std::filesystem::path& file, MeshTarget target) 
 
 MeshKeys readMeshKeys(TomlSection& surface) {
   MeshKeys keys;
-  keys.mesh = surface.text("mesh");
+  keys.mesh = surface.path("mesh");
   keys.uStart = surface.number("u_start", {});
   keys.vStart = surface.number("v_start", {});
   keys.uLength = surface.number("u_length", above(0));
@@ -66,20 +66,18 @@ MeshKeys readMeshKeys(TomlSection& surface) {
 }
 
 std::shared_ptr<const MeshTarget> loadMeshTarget(TomlReader& reader, TomlSection& surface,
-                                                 MeshKeys keys,
-                                                 const std::filesystem::path& folder) {
+                                                 MeshKeys keys) {
   surface.require("mesh");
   if (!keys.mesh) return nullptr;
-  const std::filesystem::path file = folder / *keys.mesh;
-  if (const auto reason = whyUnreadable(file)) {
+  if (const auto reason = whyUnreadable(*keys.mesh)) {
     reader.problems.add(
         surface.place("mesh"),
         fmt::format("surface.mesh must name a readable mesh configuration, got {}: {}",
-                    file.string(), *reason));
+                    keys.mesh->string(), *reason));
     return nullptr;
   }
   try {
-    MeshTarget target = loadConfigured(file, std::move(keys.settings));
+    MeshTarget target = loadConfigured(*keys.mesh, std::move(keys.settings));
     requireBox(reader, surface, target);
     target.box = {keys.uStart.value_or(0), keys.vStart.value_or(0), keys.uLength.value_or(1),
                   keys.vLength.value_or(1)};

@@ -23,7 +23,7 @@ struct MeshTarget {
 
 /// The keys of [surface] that belong to meshes, as far as they are there.
 struct MeshKeys {
-  std::optional<std::string> mesh;
+  std::optional<std::filesystem::path> mesh;
   std::optional<double> uStart, vStart, uLength, vLength;
   MeshTarget settings;
 };
@@ -35,10 +35,9 @@ inline constexpr const char* kMeshKeys[] = {"mesh",           "u_start",        
 
 MeshKeys readMeshKeys(TomlSection& surface);
 
-/// Reads the mesh that the keys name; configurations are looked up from `folder`. Problems go to
-/// the reader, a missing box with one to start from; nothing then.
+/// Reads the mesh that the keys name. Problems go to the reader, a missing box with one to start
+/// from; nothing then.
 std::shared_ptr<const MeshTarget> loadMeshTarget(TomlReader& reader, TomlSection& surface,
-                                                 MeshKeys keys,
-                                                 const std::filesystem::path& folder);
+                                                 MeshKeys keys);
 
 }  // namespace morphgrid

@@ -12,8 +12,9 @@ namespace {
 
 Scene readScene(TomlReader& reader, const std::filesystem::path& file) {
   Scene scene{.name = file.stem().string(), .file = file};
+  reader.root().text("extends");  // parseToml() has followed it.
   scene.title = reader.root().text("title").value_or(scene.name);
-  SceneTarget target = readSceneTarget(reader, file.parent_path());
+  SceneTarget target = readSceneTarget(reader);
   scene.surface = std::move(target.surface);
   scene.mesh = std::move(target.mesh);
   scene.bendAngles = target.bendAngles;

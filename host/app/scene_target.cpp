@@ -150,7 +150,7 @@ void checkVertexCount(TomlReader& reader, const TomlSection& grid, std::string_v
 
 }  // namespace
 
-SceneTarget readSceneTarget(TomlReader& reader, const std::filesystem::path& folder) {
+SceneTarget readSceneTarget(TomlReader& reader) {
   TomlSection surface = reader.section("surface");
   TomlSection grid = reader.section("grid");
   TomlSection designSection = reader.section("design");
@@ -158,7 +158,7 @@ SceneTarget readSceneTarget(TomlReader& reader, const std::filesystem::path& fol
   if (kind) rejectKeysOfOtherKinds(*kind, surface, grid, designSection);
 
   // All keys are read whatever the kind is: that finds every problem, and all names are known.
-  const std::optional<std::string> patch = surface.text("patch");
+  const std::optional<std::filesystem::path> patch = surface.path("patch");
   MeshKeys meshKeys = readMeshKeys(surface);
   const DesignRequest design = readDesign(grid, designSection);
   const BendAngleRequest bendAngles = readBendAngles(surface, grid, design);
@@ -166,9 +166,9 @@ SceneTarget readSceneTarget(TomlReader& reader, const std::filesystem::path& fol
   SceneTarget target{.design = design};
   if (kind == SurfaceKind::bezier) {
     surface.require("patch");
-    if (patch) target.surface = readPatchOfScene(reader, surface, folder / *patch);
+    if (patch) target.surface = readPatchOfScene(reader, surface, *patch);
   } else if (kind == SurfaceKind::mesh) {
-    target.mesh = loadMeshTarget(reader, surface, std::move(meshKeys), folder);
+    target.mesh = loadMeshTarget(reader, surface, std::move(meshKeys));
   } else if (kind == SurfaceKind::bendAngles) {
     grid.require("nodes_u");
     grid.require("nodes_v");

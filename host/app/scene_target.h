@@ -1,5 +1,4 @@
 #pragma once
-#include <filesystem>
 #include <memory>
 #include <optional>
 
@@ -16,8 +15,8 @@ struct SceneTarget {
   DesignRequest design;
 };
 
-/// Patches and meshes are looked up from `folder`. Problems, those of their files too, go to the
-/// reader; without problems exactly one of surface, mesh and bendAngles is set.
-SceneTarget readSceneTarget(TomlReader& reader, const std::filesystem::path& folder);
+/// Problems, those of patches' and meshes' files too, go to the reader; without problems exactly
+/// one of surface, mesh and bendAngles is set.
+SceneTarget readSceneTarget(TomlReader& reader);
 
 }  // namespace morphgrid

@@ -24,7 +24,7 @@ void ProblemList::throwIfAny() const {
   const auto order = [](const Problem& problem) {
     const Place& place = problem.place;
     const int rank = place.line > 0 ? 0 : !place.source.empty() ? 1 : 2;
-    return std::tuple(rank, place.line, place.column);
+    return std::tuple(rank, rank == 0 ? place.source : "", place.line, place.column);
   };
   std::stable_sort(sorted.begin(), sorted.end(),
                    [&](const Problem& a, const Problem& b) { return order(a) < order(b); });

@@ -25,8 +25,8 @@ class ProblemList {
 
   bool empty() const { return problems_.empty(); }
 
-  /// Throws InputError with one problem a line, by line; then those of sources without lines, then
-  /// those of other inputs.
+  /// Throws InputError with one problem a line, by file and line; then those of sources without
+  /// lines, then those of other inputs.
   void throwIfAny() const;
 
  private:

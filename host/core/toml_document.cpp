@@ -11,6 +11,8 @@
 namespace morphgrid {
 namespace {
 
+constexpr std::string_view kOverride = "--set ";
+
 /// toml++ says "Error while parsing ..." or "Encountered ...".
 std::string explain(const toml::parse_error& error) {
   std::string text(error.description());
@@ -25,9 +27,7 @@ toml::table parseFile(const std::filesystem::path& file) {
   try {
     return toml::parse(std::string_view(text), file.string());
   } catch (const toml::parse_error& error) {
-    const auto begin = error.source().begin;
-    const Place place{file.string(), static_cast<int>(begin.line), static_cast<int>(begin.column)};
-    throw InputError(fmt::format("{}: {}", toString(place), explain(error)));
+    throw InputError(fmt::format("{}: {}", toString(placeOf(error.source())), explain(error)));
   }
 }
 
@@ -46,7 +46,7 @@ std::optional<std::string> withQuotes(std::string_view assignment, std::size_t e
 }
 
 toml::table parseOverride(const std::string& assignment) {
-  const std::string source = "--set " + assignment.substr(0, assignment.find('\n'));
+  const std::string source = std::string(kOverride) + assignment.substr(0, assignment.find('\n'));
   const std::size_t equals = assignment.find('=');
   const bool oneLine = assignment.find('\n') == std::string::npos;
   if (!oneLine || equals == std::string::npos ||
@@ -79,7 +79,50 @@ void merge(toml::table& into, toml::table&& from) {
   }
 }
 
+using Chain = std::vector<std::filesystem::path>;
+
+/// The file that the last of a chain extends, if it does. What is no string is left to those who
+/// read the document.
+std::optional<std::filesystem::path> baseOf(const toml::table& document, const Chain& chain) {
+  const toml::node* name = document.get("extends");
+  if (!name || !name->is_string()) return std::nullopt;
+  const auto refuse = [&](const std::string& why) {
+    throw InputError(fmt::format("{}: extends {}", toString(placeOf(name->source())), why));
+  };
+  const auto base = chain.back().parent_path() / name->as_string()->get();
+  if (const auto reason = whyUnreadable(base)) {
+    refuse(fmt::format("must name a readable file, got {}: {}", base.string(), *reason));
+  }
+  for (const auto& file : chain) {
+    std::error_code ignored;  // Both are readable.
+    if (std::filesystem::equivalent(base, file, ignored)) {
+      refuse(fmt::format("must not lead back to {}", file.string()));
+    }
+  }
+  return base;
+}
+
+/// Puts a document over what it extends. chain: its file, after those that extend it.
+toml::table overBase(toml::table document, Chain chain) {
+  const auto base = baseOf(document, chain);
+  if (!base) return document;
+  chain.push_back(*base);
+  toml::table whole = overBase(parseFile(*base), std::move(chain));
+  merge(whole, std::move(document));
+  return whole;
+}
+
 }  // namespace
+
+bool isOverride(const toml::source_region& source) {
+  return source.path && source.path->starts_with(kOverride);
+}
+
+Place placeOf(const toml::source_region& source) {
+  const std::string path = source.path ? *source.path : "";
+  if (isOverride(source)) return {path};
+  return {path, static_cast<int>(source.begin.line), static_cast<int>(source.begin.column)};
+}
 
 toml::table parseToml(const std::filesystem::path& file,
                       const std::vector<std::string>& overrides) {
@@ -98,7 +141,7 @@ toml::table parseToml(const std::filesystem::path& file,
     }
   }
   problems.throwIfAny();
-  return document;
+  return overBase(std::move(document), {file});
 }
 
 }  // namespace morphgrid

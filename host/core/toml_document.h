@@ -5,13 +5,24 @@
 #include <string>
 #include <vector>
 
+#include "core/problem_list.h"
+
 namespace morphgrid {
 
 /// Parses a TOML file and then sets the overrides, `key=value` with dotted keys. A value that is no
 /// TOML is taken as a string when it needs no quotes to be understood, e.g. "solver.method=jacobi".
-/// A node's source().path is the file, or `--set key=value`.
-/// Throws InputError when the file cannot be read, or when it or an override is malformed.
+/// A string `extends` at the top names another file, relative to this one, that gives the keys
+/// which this one leaves out; that file may extend a third.
+/// A node's source().path is its file, or `--set key=value`.
+/// Throws InputError when a file cannot be read or extends itself, or when it or an override is
+/// malformed.
 toml::table parseToml(const std::filesystem::path& file,
                       const std::vector<std::string>& overrides = {});
+
+/// Whether a node of such a document was set by an override.
+bool isOverride(const toml::source_region& source);
+
+/// Where a node of such a document stands; overrides have no lines.
+Place placeOf(const toml::source_region& source);
 
 }  // namespace morphgrid

@@ -40,8 +40,13 @@ TomlSection TomlReader::table(const std::string& name, const toml::node& node) {
 }
 
 Place TomlReader::place(const toml::source_region& source) const {
-  if (source.path && *source.path != file_) return {*source.path};
-  return {file_, static_cast<int>(source.begin.line), static_cast<int>(source.begin.column)};
+  return source.path ? placeOf(source) : Place{file_};
+}
+
+std::filesystem::path TomlReader::folderOf(const toml::node& node) const {
+  const toml::source_region& source = node.source();
+  const bool inFile = source.path && !isOverride(source);
+  return std::filesystem::path(inFile ? *source.path : file_).parent_path();
 }
 
 std::optional<double> TomlReader::number(const std::string& name, const toml::node& node,

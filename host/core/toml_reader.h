@@ -61,6 +61,8 @@ class TomlReader {
   };
 
   Place place(const toml::source_region& source) const;
+  /// Of the file that the node stands in; of the document's file for overrides.
+  std::filesystem::path folderOf(const toml::node& node) const;
   KnownKey& know(const std::string& section, std::string_view name);
   KnownKey* findKnown(const std::string& section, std::string_view name);
   std::vector<std::string> welcomeNames(const std::string& section) const;
@@ -84,6 +86,9 @@ class TomlSection {
 
   std::optional<bool> boolean(std::string_view key);
   std::optional<std::string> text(std::string_view key);
+  /// A string that names a file relative to the one that it stands in; in an override, relative to
+  /// the document's.
+  std::optional<std::filesystem::path> path(std::string_view key);
   std::optional<std::int64_t> integer(std::string_view key, const IntegerRange& range);
   std::optional<double> number(std::string_view key, const NumberRange& range);
   /// An array of two numbers.

@@ -26,6 +26,12 @@ std::optional<std::string> TomlSection::text(std::string_view key) {
   return std::nullopt;
 }
 
+std::optional<std::filesystem::path> TomlSection::path(std::string_view key) {
+  const auto name = text(key);
+  if (!name) return std::nullopt;
+  return reader_->folderOf(*node(key)) / *name;
+}
+
 std::optional<std::int64_t> TomlSection::integer(std::string_view key, const IntegerRange& range) {
   const toml::node* node = find(key, describe(range));
   if (!node) return std::nullopt;

@@ -218,10 +218,10 @@ TEST(LoadScene, ReadsEveryKeyOfABendAnglesScene) {
   const SceneFiles files(std::string(kBendAnglesScene) + R"(layers = 2
 [surface_is_elsewhere]
 )");
-  EXPECT_EQ(
-      files.problems(),
-      "scene.toml:8:2: unknown key surface_is_elsewhere; known here: title, surface, grid, design, "
-      "weights, solver, output, paper");
+  EXPECT_EQ(files.problems(),
+            "scene.toml:8:2: unknown key surface_is_elsewhere; known here: extends, title, "
+            "surface, grid, "
+            "design, weights, solver, output, paper");
   const Scene scene = SceneFiles(R"([surface]
 kind = "bend_angles"
 theta_u = [0.5, 1]
