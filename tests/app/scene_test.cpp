@@ -117,7 +117,7 @@ TEST(Scenes, AllLoadWithoutSettingsOfTheirOwnForTheSolver) {
     EXPECT_EQ(scene.solve.tolerance, SolveOptions().tolerance);
     EXPECT_EQ(scene.weights.vertical, 40);
   }
-  EXPECT_GE(count, 9);
+  EXPECT_GE(count, 14);
 }
 
 TEST(Scenes, HaveTheMeasuresThatThePaperPrints) {
@@ -134,6 +134,23 @@ TEST(Scenes, HaveTheMeasuresThatThePaperPrints) {
     EXPECT_EQ(size.nodesV, paper.nodesV);
     EXPECT_EQ(size.layerSpacing, scene.design.layerSpacing);
     EXPECT_THAT(size.notices, testing::IsEmpty());
+  }
+}
+
+TEST(Scenes, TheTrueOnesDifferInDesignOnly) {
+  for (const std::string name : {"patch", "egg_chair", "iris_petal", "face", "torso"}) {
+    SCOPED_TRACE(name);
+    const Scene papers = loadScene(kScenes / (name + ".toml"));
+    const Scene ours = loadScene(kScenes / (name + "_true.toml"));
+    EXPECT_EQ(papers.design.net, NetKind::isoline);
+    EXPECT_EQ(papers.design.compensateRounds + papers.design.optimiseSteps, 0);
+    EXPECT_EQ(ours.design.net, NetKind::orthogonal);
+    EXPECT_GT(ours.design.optimiseSteps, 0);
+    EXPECT_TRUE(ours.design.enforceShrinkage);
+    EXPECT_EQ(ours.design.layers, papers.design.layers);
+    EXPECT_EQ(ours.design.layerSpacing, papers.design.layerSpacing);
+    EXPECT_EQ(ours.design.nodesLong, papers.design.nodesLong);
+    EXPECT_EQ(ours.design.maxShrinkage, papers.design.maxShrinkage);
   }
 }
 
