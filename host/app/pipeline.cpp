@@ -11,6 +11,7 @@
 #include "export/gltf.h"
 #include "export/surface_files.h"
 #include "export/vtu.h"
+#include "report/inverse_plot.h"
 #include "report/report_files.h"
 
 namespace morphgrid {
@@ -105,6 +106,8 @@ RunRecord runScene(const Scene& scene, const RunOptions& options) {
   writeFileAtomically(folder / "convergence.csv", toConvergenceCsv(record));
   if (record.inverse) {
     writeFileAtomically(folder / "optimise.csv", toInverseCsv(*record.inverse));
+    writeFileAtomically(folder / "optimise.svg",
+                        toInversePlot(*record.inverse, scene.design.maxShrinkage));
   }
   writeFileAtomically(folder / "report.json", toJson(record));
   return std::move(record);

@@ -56,6 +56,21 @@ TEST_F(Run, LeavesReportPicturesAndFiles) {
             json["distance_to_target"]["rms_percent"].get<double>());
 }
 
+TEST_F(Run, InverseDesignComesCloserAndLeavesItsSteps) {
+  const ProcessResult run = runMorphgrid({"run", sceneFile("egg_chair_true"), "--out", out(),
+                                          "--validate", "--set", "grid.nodes_long=8", "--set",
+                                          "design.optimise=2", "--set", "output.pictures=false"});
+  EXPECT_EQ(run.exitCode, 0) << run.output;
+  EXPECT_TRUE(exists("optimise.csv"));
+  EXPECT_TRUE(exists("optimise.svg"));
+  const auto json = report();
+  const auto& steps = json["inverse_design"]["steps"];
+  EXPECT_LT(steps.back()["rms_percent"].get<double>(), steps.front()["rms_percent"].get<double>());
+  EXPECT_NEAR(json["distance_to_target"]["rms_percent"].get<double>(),
+              steps.back()["rms_percent"].get<double>(), 1e-3);
+  EXPECT_EQ(json["shrink"]["struts_over_limit"], 0);
+}
+
 TEST_F(Run, MeshesAreSampledWithRays) {
   const ProcessResult run = runMorphgrid({"run", sceneFile("face"), "--out", out(), "--validate",
                                           "--set", "grid.nodes_long=8", "--set", "output.width=320",

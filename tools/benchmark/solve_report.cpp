@@ -2,10 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <map>
 
-#include "benchmark/log_plot.h"
 #include "benchmark/targets.h"
+#include "report/plot.h"
 
 namespace morphgrid {
 namespace {
@@ -219,15 +221,24 @@ nlohmann::json toJson(const Comparison& comparison) {
 }
 
 std::string drawTimes(const std::vector<Comparison>& comparisons) {
-  LogPlot plot{"From flat to equilibrium (energy within 1e-6)", "vertices", "seconds", {}};
+  std::map<std::string, std::vector<PlotPoint>> points;
   for (const Comparison& comparison : comparisons) {
     const double energy = comparison.leastEnergy();
     for (const MethodRuns& one : comparison.full) {
-      plot.series[one.method].push_back({static_cast<double>(comparison.shape.vertexCount()),
-                                         secondsOf(one, energy), !one.arrival(energy)});
+      points[one.method].push_back({static_cast<double>(comparison.shape.vertexCount()),
+                                    secondsOf(one, energy), !one.arrival(energy)});
     }
   }
-  return toSvg(plot);
+  PlotPanel panel{"seconds", PlotScale::logarithmic, {}};
+  for (auto& [method, all] : points) {
+    std::sort(all.begin(), all.end(),
+              [](const PlotPoint& a, const PlotPoint& b) { return a.x < b.x; });
+    panel.series.push_back({method, std::move(all)});
+  }
+  return toSvg({"From flat to equilibrium (energy within 1e-6)",
+                "vertices",
+                PlotScale::logarithmic,
+                {std::move(panel)}});
 }
 
 }  // namespace morphgrid
