@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "grid/build_grids.h"
 #include "grid/shrink.h"
 #include "render/draw_sampling.h"
 #include "render/font.h"
@@ -12,18 +13,6 @@
 
 namespace morphgrid {
 namespace {
-
-/// The target as a grid of one layer at rest, so that it is drawn by the same pipeline as the
-/// result.
-StrutGrid targetGrid(const GridShape& shape, double spacing, const Eigen::Matrix3Xd& targets) {
-  const GridShape layer{shape.verticesU, shape.verticesV, 1};
-  StrutGrid grid{layer, spacing, targets, StrutValues(layer), StrutValues(layer), 1.0};
-  for (const Strut& strut : listStruts(layer)) {
-    valueAt(grid.rest, strut) = (targets.col(strut.to) - targets.col(strut.from)).norm();
-    valueAt(grid.stiffness, strut) = 1;
-  }
-  return grid;
-}
 
 StrutValues dividedBy(StrutValues values, double divisor) {
   for (std::vector<double>* direction : {&values.u, &values.v, &values.w}) {
@@ -107,7 +96,7 @@ void Pictures::drawResult(const DeviceGrid& deviceGrid, const Eigen::Matrix3Xd& 
       "surface",
       {renderer_.drawSurface(deviceGrid, targetFromGrid, camera), "surface: the middle layer", {}});
   if (targets) {
-    const StrutGrid grid = targetGrid(deviceGrid.shape(), deviceGrid.spacing(), *targets);
+    const StrutGrid grid = layerAtRest(deviceGrid.shape(), deviceGrid.spacing(), *targets);
     const DeviceGrid target(device_, grid);
     show_("target",
           {renderer_.drawSurface(target, Eigen::Isometry3d::Identity(), camera), "target", {}});

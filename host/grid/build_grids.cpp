@@ -69,4 +69,14 @@ StrutGrid stackedGrid(const GridDesign& design, const Weights& weights, Scaling 
   return grid;
 }
 
+StrutGrid layerAtRest(const GridShape& shape, double spacing, const Eigen::Matrix3Xd& points) {
+  const GridShape layer{shape.verticesU, shape.verticesV, 1};
+  StrutGrid grid{layer, spacing, points, StrutValues(layer), StrutValues(layer), 1.0};
+  for (const Strut& strut : listStruts(layer)) {
+    valueAt(grid.rest, strut) = (points.col(strut.to) - points.col(strut.from)).norm();
+    valueAt(grid.stiffness, strut) = 1;
+  }
+  return grid;
+}
+
 }  // namespace morphgrid

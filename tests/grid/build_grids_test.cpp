@@ -87,6 +87,16 @@ TEST(Validate, NamesWhatIsWrong) {
   EXPECT_THROW(validate(grid), InputError);
 }
 
+TEST(LayerAtRest, HasNoStrain) {
+  const Eigen::Matrix3Xd points = Eigen::Matrix3Xd::Random(3, 6);
+  const StrutGrid grid = layerAtRest({3, 2, 4}, 0.5, points);
+  EXPECT_EQ(grid.shape, (GridShape{3, 2, 1}));
+  EXPECT_EQ(grid.positions, points);
+  EXPECT_DOUBLE_EQ(grid.rest.u[1], (points.col(2) - points.col(1)).norm());
+  EXPECT_DOUBLE_EQ(grid.rest.v[1], (points.col(4) - points.col(1)).norm());
+  EXPECT_NO_THROW(validate(grid));
+}
+
 TEST(MiddleLayer, IsTheMiddleOneOrTheMeanOfTwo) {
   for (const int layers : {1, 2, 3, 4}) {
     const GridShape shape{2, 2, layers};
