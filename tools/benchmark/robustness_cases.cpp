@@ -6,8 +6,8 @@
 #include <random>
 
 #include "app/design_scene.h"
+#include "benchmark/random_patch.h"
 #include "core/error.h"
-#include "surface/bezier_patch.h"
 
 namespace morphgrid {
 namespace {
@@ -50,29 +50,10 @@ std::function<GridDesign()> bent(const BendAngleRequest& request) {
   return [request] { return designFromBendAngles(request); };
 }
 
-/// 15 x 15 units of length large; the control points of a regular lattice, moved by up to 1 in the
-/// plane and 3 out of it.
-BezierPatch randomPatch(unsigned seed) {
-  std::mt19937 random(seed);
-  std::uniform_real_distribution<double> share(-1, 1);
-  BezierPatch::ControlPoints points;
-  for (int j = 0; j < 4; ++j) {
-    for (int i = 0; i < 4; ++i) {
-      const double x = 5 * i + share(random);
-      const double y = 5 * j + share(random);
-      points[j][i] = {x, y, 3 * share(random)};
-    }
-  }
-  return BezierPatch(points);
-}
-
-/// Layers 0.35 spacings apart, or as far as Eq. 21 allows.
 GridDesign randomDesign(unsigned seed) {
-  constexpr int kNodes = 24;
   const BezierPatch patch = randomPatch(seed);
   const SurfaceSurvey survey = surveySurface(patch);
-  const double spacing = std::max(survey.longestIsolineU, survey.longestIsolineV) / kNodes;
-  const DesignRequest request{.layerSpacing = 0.35 * spacing, .nodesLong = kNodes};
+  const DesignRequest request = requestForRandomPatch(survey);
   const GridSize size = chooseGridSize(survey, request);
   return designGrid(measureSurface(patch, size.nodesU, size.nodesV, size.curvatureLimit), size,
                     request.layers);
