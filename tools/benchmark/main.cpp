@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "benchmark/fidelity.h"
 #include "benchmark/machine_benchmark.h"
 #include "benchmark/profile_benchmark.h"
 #include "benchmark/ray_benchmark.h"
@@ -11,11 +12,12 @@
 #include "benchmark/solve_benchmark.h"
 #include "benchmark/sweep_benchmark.h"
 #include "core/error.h"
+#include "core/interrupt.h"
 
 namespace morphgrid {
 namespace {
 
-enum ExitCode { kMeasured = 0, kWrongUsage = 2, kNoDevice = 4 };
+enum ExitCode { kMeasured = 0, kWrongUsage = 2, kNoDevice = 4, kInterrupted = 130 };
 
 /// `solve` may be left out.
 std::vector<std::string> completed(std::vector<std::string> arguments) {
@@ -37,6 +39,7 @@ int runBenchmark(std::vector<std::string> arguments) {
   addSweepBenchmark(app);
   addRayBenchmark(app);
   addRobustnessTable(app);
+  addFidelityTable(app);
   std::reverse(arguments.begin(), arguments.end());  // As CLI11 takes them.
   try {
     app.parse(arguments);
@@ -57,6 +60,6 @@ int main(int argc, char** argv) {
     return morphgrid::kWrongUsage;
   } catch (const std::exception& error) {
     std::cerr << "bench: " << error.what() << "\n";
-    return morphgrid::kNoDevice;
+    return morphgrid::interruptRequested() ? morphgrid::kInterrupted : morphgrid::kNoDevice;
   }
 }

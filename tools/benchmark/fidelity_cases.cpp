@@ -1,0 +1,55 @@
+#include "benchmark/fidelity_cases.h"
+
+#include <fmt/format.h>
+
+#include "benchmark/random_patch.h"
+
+namespace morphgrid {
+namespace {
+
+constexpr unsigned kSeeds = 10;
+
+FidelityCase sceneCase(const std::filesystem::path& folder, const std::string& name) {
+  const auto load = [folder](const std::string& file) {
+    return [path = folder / (file + ".toml")] { return loadScene(path); };
+  };
+  return {name, false, load(name), load(name + "_true")};
+}
+
+Scene randomScene(const std::string& name, unsigned seed) {
+  Scene scene{.name = name, .title = fmt::format("Random patch {}", seed), .file = name};
+  scene.surface = std::make_shared<BezierPatch>(randomPatch(seed));
+  scene.design = requestForRandomPatch(surveySurface(*scene.surface));
+  return scene;
+}
+
+/// As the scenes that end in _true have it.
+Scene designedForShape(Scene scene) {
+  scene.design.net = NetKind::orthogonal;
+  scene.design.reference = Reference::middle;
+  scene.design.compensateRounds = 2;
+  scene.design.optimiseSteps = 40;
+  scene.design.enforceShrinkage = true;
+  return scene;
+}
+
+FidelityCase randomCase(unsigned seed) {
+  const std::string name = fmt::format("random_{}", seed);
+  return {name, true, [=] { return randomScene(name, seed); },
+          [=] { return designedForShape(randomScene(name + "_true", seed)); }};
+}
+
+}  // namespace
+
+std::vector<FidelityCase> listFidelityCases(const std::filesystem::path& scenes) {
+  std::vector<FidelityCase> cases;
+  for (const char* name : {"patch", "egg_chair", "iris_petal", "face", "torso"}) {
+    cases.push_back(sceneCase(scenes, name));
+  }
+  for (unsigned seed = 1; seed <= kSeeds; ++seed) {
+    cases.push_back(randomCase(seed));
+  }
+  return cases;
+}
+
+}  // namespace morphgrid
