@@ -7,6 +7,11 @@ namespace morphgrid {
 namespace {
 
 constexpr int kMostSteps = 6;  // Of a linear axis.
+// In the largest value: a smaller range cannot be read off the numbers.
+constexpr double kLeastRange = 1e-4;
+// What is beyond, or closer to 0, takes arithmetic out of the range of double.
+constexpr double kLargest = 1e300;
+constexpr double kSmallest = 1e-300;
 
 std::vector<double> decades(double low, double high) {
   const int first = static_cast<int>(std::floor(std::log10(low)));
@@ -31,7 +36,9 @@ double roundStep(double range) {
 }
 
 std::vector<double> steps(double low, double high) {
-  const double range = high > low ? high - low : std::max(1.0, std::abs(high));
+  const double size = std::max(std::abs(low), std::abs(high));
+  const bool differ = high - low > std::max(kLeastRange * size, kSmallest);
+  const double range = differ ? high - low : std::max(1.0, size);
   const double step = roundStep(range);
   const double first = std::floor(low / step);
   const double last = std::max(first + 1, std::ceil(high / step));
@@ -49,7 +56,7 @@ double placeOn(PlotScale scale, double value) {
 }  // namespace
 
 bool canShow(PlotScale scale, double value) {
-  return std::isfinite(value) && (scale == PlotScale::linear || value > 0);
+  return std::abs(value) <= kLargest && (scale == PlotScale::linear || value >= kSmallest);
 }
 
 PlotAxis::PlotAxis(PlotScale scale, const std::vector<double>& values) : scale_(scale) {

@@ -18,6 +18,11 @@ TEST(PlotAxis, LinearOnesHaveRoundSteps) {
               Pointwise(testing::DoubleEq(), std::vector<double>{33, 33.5, 34, 34.5, 35, 35.5}));
 }
 
+TEST(PlotAxis, RoundingErrorsAreNoRange) {
+  EXPECT_THAT(PlotAxis(PlotScale::linear, {60, 60.00000000000001}).ticks(), ElementsAre(60, 80));
+  EXPECT_THAT(PlotAxis(PlotScale::linear, {5e-324, 0}).ticks(), testing::SizeIs(2));
+}
+
 TEST(PlotAxis, LogarithmicOnesHaveWholeDecades) {
   EXPECT_THAT(PlotAxis(PlotScale::logarithmic, {0.02, 5}).ticks(),
               Pointwise(testing::DoubleEq(), std::vector<double>{0.01, 0.1, 1, 10}));
@@ -36,8 +41,15 @@ TEST(PlotAxis, AreThereForAnyValues) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
   for (const PlotScale scale : {PlotScale::linear, PlotScale::logarithmic}) {
-    for (const std::vector<double>& values :
-         {std::vector<double>{}, {0}, {-5}, {3, 3}, {kNan, kInfinity}, {-1e300}, {1e-300, 1e300}}) {
+    for (const std::vector<double>& values : {std::vector<double>{},
+                                              {0},
+                                              {-5},
+                                              {3, 3},
+                                              {kNan, kInfinity},
+                                              {-1e300, 1e300},
+                                              {1e-300, 1e300},
+                                              {1e308, -1e308},
+                                              {5e-324, 0}}) {
       const PlotAxis axis(scale, values);
       ASSERT_GE(axis.ticks().size(), 2u);
       EXPECT_EQ(axis.share(axis.ticks().front()), 0);
