@@ -28,7 +28,7 @@ Scene designedForShape(Scene scene) {
   scene.design.net = NetKind::orthogonal;
   scene.design.reference = Reference::middle;
   scene.design.compensateRounds = 2;
-  scene.design.optimiseSteps = 40;
+  scene.design.optimiseSteps = 100;
   scene.design.enforceShrinkage = true;
   return scene;
 }

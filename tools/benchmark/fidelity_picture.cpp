@@ -71,7 +71,7 @@ Image drawFidelity(const Device& device, const FidelityPair& pair) {
   const SheetOptions options{
       .title = pair.papers.record.title, .panelWidth = 440, .panelHeight = 360};
   const FidelityPanels panels(device, pair, sceneSize(panelPicture(options)));
-  return composeSheet({panels.target(pair.ours), panels.design("paper's design", pair.papers),
+  return composeSheet({panels.target(pair.ours), panels.design("paper's", pair.papers),
                        panels.design("ours", pair.ours)},
                       options);
 }

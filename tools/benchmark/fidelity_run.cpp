@@ -30,9 +30,11 @@ FidelityRun runForFidelity(Scene scene, const std::filesystem::path& folder,
 }
 
 bool meetsGoal(const FidelityRun& run) {
+  const auto& inverse = run.record.inverse;
+  const bool reached = !inverse || !inverse->fromFlat || inverse->fromFlat->sameEquilibrium;
   const TargetDistance& distance = run.record.distance.value();
   const ShrinkFigures& shrink = run.record.shrink.value();
-  return distance.rmsPercent <= kGoalRms && distance.maxPercent <= kGoalMax &&
+  return reached && distance.rmsPercent <= kGoalRms && distance.maxPercent <= kGoalMax &&
          shrink.strutsOverLimit == 0 && shrink.strutsGrowing == 0;
 }
 
