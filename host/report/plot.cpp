@@ -128,6 +128,8 @@ class SvgPlot {
         points.push_back({xOf(point.x), yOf(point.y), point.atLeast});
       }
     }
+    std::sort(points.begin(), points.end(),
+              [](const PlotPoint& a, const PlotPoint& b) { return a.x < b.x; });
     return points;
   }
 

@@ -15,7 +15,7 @@ enum class PlotScale { linear, logarithmic };
 
 struct PlotSeries {
   std::string name;
-  std::vector<PlotPoint> points;  ///< By x.
+  std::vector<PlotPoint> points;  ///< In any order: they are joined in that of x.
 };
 
 struct PlotPanel {

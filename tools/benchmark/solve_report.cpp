@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 #include <map>
 
@@ -231,8 +230,6 @@ std::string drawTimes(const std::vector<Comparison>& comparisons) {
   }
   PlotPanel panel{"seconds", PlotScale::logarithmic, {}};
   for (auto& [method, all] : points) {
-    std::sort(all.begin(), all.end(),
-              [](const PlotPoint& a, const PlotPoint& b) { return a.x < b.x; });
     panel.series.push_back({method, std::move(all)});
   }
   return toSvg({"From flat to equilibrium (energy within 1e-6)",

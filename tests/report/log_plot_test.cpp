@@ -1,4 +1,4 @@
-#include "benchmark/log_plot.h"
+#include "report/plot.h"
 
 #include <gtest/gtest.h>
 
@@ -30,8 +30,14 @@ std::vector<Mark> marksOf(const std::string& svg) {
   return marks;
 }
 
-std::vector<Mark> marksAt(const std::vector<LogPoint>& points) {
-  return marksOf(toSvg({"title", "x", "y", {{"series", points}}}));
+/// Both axes are logarithmic.
+std::string svgOf(std::vector<PlotSeries> series) {
+  return toSvg(
+      {"title", "x", PlotScale::logarithmic, {{"y", PlotScale::logarithmic, std::move(series)}}});
+}
+
+std::vector<Mark> marksAt(const std::vector<PlotPoint>& points) {
+  return marksOf(svgOf({{"series", points}}));
 }
 
 constexpr double kPixel = 0.11;  // Pixels have one decimal.
@@ -55,8 +61,7 @@ TEST(LogPlotTest, OtherUnitsOfAPowerOfTenMoveNothing) {
 }
 
 TEST(LogPlotTest, MarksStandAboveTheLabelsOfTheirDecades) {
-  const std::string svg =
-      toSvg({"title", "x", "y", {{"series", {{100, 10, false}, {10000, 1000, false}}}}});
+  const std::string svg = svgOf({{"series", {{100, 10, false}, {10000, 1000, false}}}});
   const auto marks = marksOf(svg);
   const auto labels = matchesOf(svg, "<text x=\"([^\"]*)\"[^>]*>(100|10000)</text>");
   ASSERT_EQ(labels.size(), 3U) << "100 stands on both axes";
@@ -77,23 +82,20 @@ TEST(LogPlotTest, PointsAreJoinedInTheOrderOfX) {
 }
 
 TEST(LogPlotTest, BoundsAreHollowWithAnArrowUpwards) {
-  const std::vector<LogPoint> known{{1, 1, false}, {10, 2, false}};
-  std::vector<LogPoint> bounded = known;
+  const std::vector<PlotPoint> known{{1, 1, false}, {10, 2, false}};
+  std::vector<PlotPoint> bounded = known;
   bounded[1].atLeast = true;
-  const std::string svg = toSvg({"title", "x", "y", {{"series", bounded}}});
+  const std::string svg = svgOf({{"series", bounded}});
   const auto marks = marksOf(svg);
   EXPECT_NE(marks[0].fill, "white");
   EXPECT_EQ(marks[1].fill, "white");
   const auto linesOf = [](const std::string& text) { return matchesOf(text, "<line").size(); };
-  EXPECT_EQ(linesOf(svg), linesOf(toSvg({"title", "x", "y", {{"series", known}}})) + 3);
+  EXPECT_EQ(linesOf(svg), linesOf(svgOf({{"series", known}})) + 3);
 }
 
 TEST(LogPlotTest, NamesDoNotCoverEachOther) {
-  const std::string svg = toSvg(
-      {"title",
-       "x",
-       "y",
-       {{"first", {{10, 5, false}}}, {"second", {{10, 5, false}}}, {"third", {{10, 5.1, false}}}}});
+  const std::string svg = svgOf(
+      {{"first", {{10, 5, false}}}, {"second", {{10, 5, false}}}, {"third", {{10, 5.1, false}}}});
   std::vector<double> lines;
   for (const std::smatch& match : matchesOf(svg, "y=\"([^\"]*)\"[^>]*>(first|second|third)<")) {
     lines.push_back(std::stod(match[1]));
