@@ -1,5 +1,6 @@
 // Long runs: killed, interrupted, on a device that fails.
 #include <gmock/gmock.h>
+#include <signal.h>
 
 #include <filesystem>
 #include <fstream>
@@ -52,11 +53,14 @@ TEST_P(KilledRun, GoesOnToTheSameAnswer) {
   // Tolerances may change on the way; these keep it busy until it is killed.
   const bool full = GetParam().inFullStage;
   const ProcessResult killed = runMorphgridUntil(
-      [&] { return full ? isInFullStage() : std::filesystem::exists(checkpoint()); },
+      [&](const std::string&) {
+        return full ? isInFullStage() : std::filesystem::exists(checkpoint());
+      },
       run("killed",
           {"--quiet", "--checkpoint", checkpoint(), "--checkpoint-minutes", "1e-9", "--set", method,
            "--set", full ? "solver.tolerance=1e-9" : "solver.tolerance=1e-15", "--set",
-           full ? "solver.energy_tolerance=1e-9" : "solver.energy_tolerance=0"}));
+           full ? "solver.energy_tolerance=1e-9" : "solver.energy_tolerance=0"}),
+      SIGKILL);
   ASSERT_EQ(killed.exitCode, 128 + 9) << killed.output;
   EXPECT_FALSE(std::filesystem::exists(folder_ / "killed/report.json"));
 
@@ -80,11 +84,11 @@ INSTANTIATE_TEST_SUITE_P(Methods, KilledRun,
                          });
 
 TEST_F(LongRun, InterruptedLeavesACheckpoint) {
-  const ProcessResult interrupted =
-      runMorphgrid(run("interrupted",
-                       {"--quiet", "--checkpoint", checkpoint(), "--set", "solver.tolerance=1e-15",
-                        "--set", "solver.energy_tolerance=0", "--set", "grid.nodes_long=60"}),
-                   {}, 1);
+  const ProcessResult interrupted = runMorphgridUntil(
+      [](const std::string& output) { return output.find("iterations") != std::string::npos; },
+      run("interrupted", {"--checkpoint", checkpoint(), "--set", "solver.tolerance=1e-15", "--set",
+                          "solver.energy_tolerance=0", "--set", "grid.nodes_long=60"}),
+      SIGINT);
   ASSERT_EQ(interrupted.exitCode, 130) << interrupted.output;
   EXPECT_NO_THROW(readCheckpoint(checkpoint()));
 }

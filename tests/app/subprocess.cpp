@@ -7,6 +7,7 @@
 #include <array>
 #include <atomic>
 #include <chrono>
+#include <mutex>
 #include <stdexcept>
 #include <thread>
 
@@ -33,10 +34,27 @@ namespace {
   _exit(127);
 }
 
-/// meddle(child, ended) runs beside the program and returns once `ended`.
-ProcessResult runWith(const std::vector<std::string>& arguments,
-                      const std::vector<std::string>& environment,
-                      const std::function<void(pid_t, const std::atomic<bool>&)>& meddle) {
+/// Kept by one thread, seen by another.
+class Output {
+ public:
+  void append(const char* text, std::size_t size) {
+    const std::lock_guard lock(mutex_);
+    text_.append(text, size);
+  }
+  std::string text() const {
+    const std::lock_guard lock(mutex_);
+    return text_;
+  }
+
+ private:
+  mutable std::mutex mutex_;
+  std::string text_;
+};
+
+/// meddle(child, output, ended) runs beside the program and returns once `ended`.
+ProcessResult runWith(
+    const std::vector<std::string>& arguments, const std::vector<std::string>& environment,
+    const std::function<void(pid_t, const Output&, const std::atomic<bool>&)>& meddle) {
   std::array<int, 2> ends{};
   if (pipe(ends.data()) != 0) {
     throw std::runtime_error("pipe failed");
@@ -48,19 +66,18 @@ ProcessResult runWith(const std::vector<std::string>& arguments,
   }
   close(ends[1]);
   std::atomic<bool> ended = false;
-  std::thread meddler([&] { meddle(child, ended); });
-  ProcessResult result{0, {}};
+  Output output;
+  std::thread meddler([&] { meddle(child, output, ended); });
   std::array<char, 4096> buffer{};
   for (ssize_t count = 0; (count = read(ends[0], buffer.data(), buffer.size())) > 0;) {
-    result.output.append(buffer.data(), static_cast<std::size_t>(count));
+    output.append(buffer.data(), static_cast<std::size_t>(count));
   }
   close(ends[0]);
   ended = true;
   meddler.join();
   int status = 0;
   waitpid(child, &status, 0);
-  result.exitCode = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
-  return result;
+  return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), output.text()};
 }
 
 /// Waits until `done` or `ended`; returns whether it was the former.
@@ -81,20 +98,23 @@ ProcessResult runMorphgrid(const std::vector<std::string>& arguments,
                            double interruptAfterSeconds) {
   using Clock = std::chrono::steady_clock;
   const auto end = Clock::now() + std::chrono::duration<double>(interruptAfterSeconds);
-  return runWith(arguments, environment, [&](pid_t child, const std::atomic<bool>& ended) {
-    if (interruptAfterSeconds > 0 && waitFor([&] { return Clock::now() >= end; }, ended)) {
-      kill(child, SIGINT);
-    }
-  });
+  const auto isTime = [&] { return Clock::now() >= end; };
+  return runWith(arguments, environment,
+                 [&](pid_t child, const Output&, const std::atomic<bool>& ended) {
+                   if (interruptAfterSeconds > 0 && waitFor(isTime, ended)) {
+                     kill(child, SIGINT);
+                   }
+                 });
 }
 
-ProcessResult runMorphgridUntil(const std::function<bool()>& done,
-                                const std::vector<std::string>& arguments) {
-  return runWith(arguments, {}, [&](pid_t child, const std::atomic<bool>& ended) {
-    if (waitFor(done, ended)) {
-      kill(child, SIGKILL);
-    }
-  });
+ProcessResult runMorphgridUntil(const std::function<bool(const std::string& output)>& done,
+                                const std::vector<std::string>& arguments, int signal) {
+  return runWith(arguments, {},
+                 [&](pid_t child, const Output& output, const std::atomic<bool>& ended) {
+                   if (waitFor([&] { return done(output.text()); }, ended)) {
+                     kill(child, signal);
+                   }
+                 });
 }
 
 }  // namespace morphgrid

@@ -16,8 +16,8 @@ ProcessResult runMorphgrid(const std::vector<std::string>& arguments,
                            const std::vector<std::string>& environment = {},
                            double interruptAfterSeconds = 0);
 
-/// Runs it and kills it (SIGKILL) once `done` says so; `done` is asked over and over.
-ProcessResult runMorphgridUntil(const std::function<bool()>& done,
-                                const std::vector<std::string>& arguments);
+/// Runs it and sends the signal once `done` says so, which is asked over and over.
+ProcessResult runMorphgridUntil(const std::function<bool(const std::string& output)>& done,
+                                const std::vector<std::string>& arguments, int signal);
 
 }  // namespace morphgrid
