@@ -6,26 +6,51 @@
 #include <limits>
 
 #include "core/error.h"
+#include "gpu/submission_pace.h"
 
 namespace morphgrid {
+namespace {
+
+// For SubmissionPace: a call costs as much as some workgroups.
+constexpr long kWorkOfCall = 4;
+constexpr vk::DeviceSize kBytesPerWork = 1 << 15;
+
+}  // namespace
 
 CommandStream::CommandStream(const Device& device) : device_(device) {
   pool_ = vk::raii::CommandPool(
       device.handle(), vk::CommandPoolCreateInfo(vk::CommandPoolCreateFlagBits::eResetCommandBuffer,
                                                  device.queueFamily()));
-  commands_ = std::move(
-      vk::raii::CommandBuffers(device.handle(), vk::CommandBufferAllocateInfo(
-                                                    *pool_, vk::CommandBufferLevel::ePrimary, 1))
-          .front());
   fence_ = vk::raii::Fence(device.handle(), vk::FenceCreateInfo());
   if (device.profile()) {
     timer_.emplace(device);
   }
 }
 
+void CommandStream::beginPart(std::size_t part) {
+  if (part == parts_.size()) {
+    const vk::CommandBufferAllocateInfo one(*pool_, vk::CommandBufferLevel::ePrimary, 1);
+    vk::raii::CommandBuffers buffers(device_.handle(), one);
+    parts_.push_back({std::move(buffers.front()), 0});
+  }
+  last_ = part;
+  parts_[part].work = 0;
+  parts_[part].commands.reset();
+  parts_[part].commands.begin(vk::CommandBufferBeginInfo());
+}
+
+void CommandStream::count(long work) {
+  // Timers belong to one command buffer.
+  if (device_.pace() && !timer_ && parts_[last_].work > 0 &&
+      parts_[last_].work + work > device_.pace()->most()) {
+    commands().end();
+    beginPart(last_ + 1);
+  }
+  parts_[last_].work += work;
+}
+
 void CommandStream::begin() {
-  commands_.reset();
-  commands_.begin(vk::CommandBufferBeginInfo());
+  beginPart(0);
   if (timer_) {
     timer_->forget();
   }
@@ -38,27 +63,29 @@ void CommandStream::orderAfterPrevious() {
       Access::eShaderWrite | Access::eTransferWrite,
       Access::eShaderRead | Access::eShaderWrite | Access::eTransferRead | Access::eTransferWrite);
   const auto stages = Stage::eComputeShader | Stage::eTransfer;
-  commands_.pipelineBarrier(stages, stages, {}, barrier, {}, {});
+  commands().pipelineBarrier(stages, stages, {}, barrier, {}, {});
 }
 
 void CommandStream::dispatchBytes(const ComputeKernel& kernel, const void* push,
                                   std::uint32_t pushBytes, std::uint32_t groupsX,
                                   std::uint32_t groupsY, std::uint32_t groupsZ) {
-  commands_.bindPipeline(vk::PipelineBindPoint::eCompute, kernel.pipeline());
-  commands_.bindDescriptorSets(vk::PipelineBindPoint::eCompute, kernel.layout(), 0,
+  count(kWorkOfCall + static_cast<long>(groupsX) * groupsY * groupsZ);
+  commands().bindPipeline(vk::PipelineBindPoint::eCompute, kernel.pipeline());
+  commands().bindDescriptorSets(vk::PipelineBindPoint::eCompute, kernel.layout(), 0,
                                kernel.descriptorSet(), {});
   if (pushBytes > 0) {
-    commands_.pushConstants<std::byte>(
+    commands().pushConstants<std::byte>(
         kernel.layout(), vk::ShaderStageFlagBits::eCompute, 0,
         vk::ArrayProxy<const std::byte>(pushBytes, static_cast<const std::byte*>(push)));
   }
-  recordTimed(kernel.name(), [&] { commands_.dispatch(groupsX, groupsY, groupsZ); });
+  recordTimed(kernel.name(), [&] { commands().dispatch(groupsX, groupsY, groupsZ); });
 }
 
 void CommandStream::copy(const Buffer& from, const Buffer& to, vk::DeviceSize bytes,
                          vk::DeviceSize fromOffset) {
+  count(kWorkOfCall + static_cast<long>(bytes / kBytesPerWork));
   recordTimed("copy", [&] {
-    commands_.copyBuffer(from.handle(), to.handle(), vk::BufferCopy(fromOffset, 0, bytes));
+    commands().copyBuffer(from.handle(), to.handle(), vk::BufferCopy(fromOffset, 0, bytes));
   });
 }
 
@@ -66,20 +93,17 @@ void CommandStream::end() {
   using Stage = vk::PipelineStageFlagBits;
   using Access = vk::AccessFlagBits;
   const vk::MemoryBarrier barrier(Access::eShaderWrite | Access::eTransferWrite, Access::eHostRead);
-  commands_.pipelineBarrier(Stage::eComputeShader | Stage::eTransfer, Stage::eHost, {}, barrier, {},
+  commands().pipelineBarrier(Stage::eComputeShader | Stage::eTransfer, Stage::eHost, {}, barrier, {},
                             {});
-  commands_.end();
+  commands().end();
 }
 
 void CommandStream::submitAndWait() {
   const auto start = std::chrono::steady_clock::now();
   try {
-    device_.queue().submit(vk::SubmitInfo({}, {}, *commands_), *fence_);
-    const auto forever = std::numeric_limits<std::uint64_t>::max();
-    if (device_.handle().waitForFences(*fence_, VK_TRUE, forever) != vk::Result::eSuccess) {
-      throw DeviceError(fmt::format("device {} did not finish its work", device_.name()));
+    for (std::size_t part = 0; part <= last_; ++part) {
+      submitAndWait(parts_[part]);
     }
-    device_.handle().resetFences(*fence_);
     if (timer_) {
       const std::chrono::duration<double> waited = std::chrono::steady_clock::now() - start;
       device_.profile()->addSubmission(waited.count());
@@ -87,6 +111,24 @@ void CommandStream::submitAndWait() {
     }
   } catch (const vk::SystemError& error) {
     throw DeviceError(fmt::format("device {} failed: {}", device_.name(), error.what()));
+  }
+}
+
+void CommandStream::submitAndWait(const Part& part) {
+  const long frameEvents = device_.pace() ? device_.pace()->frameEvents() : 0;
+  const auto start = std::chrono::steady_clock::now();
+  {
+    const std::lock_guard lock(device_.queueMutex());
+    device_.queue().submit(vk::SubmitInfo({}, {}, *part.commands), *fence_);
+  }
+  const auto forever = std::numeric_limits<std::uint64_t>::max();
+  if (device_.handle().waitForFences(*fence_, VK_TRUE, forever) != vk::Result::eSuccess) {
+    throw DeviceError(fmt::format("device {} did not finish its work", device_.name()));
+  }
+  device_.handle().resetFences(*fence_);
+  if (device_.pace()) {
+    const std::chrono::duration<double> waited = std::chrono::steady_clock::now() - start;
+    device_.pace()->learn(part.work, waited.count(), frameEvents);
   }
 }
 

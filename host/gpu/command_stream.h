@@ -5,7 +5,8 @@
 namespace morphgrid {
 
 /// Commands recorded once and submitted as often as wanted. Dispatches and copies are ordered: each
-/// sees what the ones before it wrote.
+/// sees what the ones before it wrote. Where a window shares the device, they go to it in parts, so
+/// that its frames get in between.
 class CommandStream {
  public:
   explicit CommandStream(const Device& device);
@@ -32,28 +33,39 @@ class CommandStream {
   void submitAndWait();
 
   /// For commands that this class does not know (rendering).
-  const vk::raii::CommandBuffer& commands() const { return commands_; }
+  const vk::raii::CommandBuffer& commands() const { return parts_[last_].commands; }
 
  private:
   void dispatchBytes(const ComputeKernel& kernel, const void* push, std::uint32_t pushBytes,
                      std::uint32_t groupsX, std::uint32_t groupsY, std::uint32_t groupsZ);
+  /// What goes to the device at once.
+  struct Part {
+    vk::raii::CommandBuffer commands;
+    long work;  ///< See SubmissionPace.
+  };
+
+  void beginPart(std::size_t part);
+  /// Work that is to be recorded.
+  void count(long work);
+  void submitAndWait(const Part& part);
   void orderAfterPrevious();
   /// record(): one command, timed where the device keeps a profile.
   template <typename Record>
   void recordTimed(const char* name, Record record) {
     orderAfterPrevious();
     if (timer_) {
-      timer_->recordStart(commands_, name);
+      timer_->recordStart(commands(), name);
     }
     record();
     if (timer_) {
-      timer_->recordEnd(commands_);
+      timer_->recordEnd(commands());
     }
   }
 
   const Device& device_;
   vk::raii::CommandPool pool_ = nullptr;
-  vk::raii::CommandBuffer commands_ = nullptr;
+  std::vector<Part> parts_;
+  std::size_t last_ = 0;  ///< Of the parts in use.
   vk::raii::Fence fence_ = nullptr;
   std::optional<CallTimer> timer_;
 };

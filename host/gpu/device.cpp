@@ -5,12 +5,11 @@
 
 #include <algorithm>
 #include <charconv>
-#include <mutex>
-#include <optional>
 
 #include "core/error.h"
 #include "gpu/kernel_profile.h"
 #include "gpu/kernel_program.h"
+#include "gpu/submission_pace.h"
 
 namespace morphgrid {
 namespace {
@@ -45,10 +44,16 @@ bool hasLayer(const vk::raii::Context& context, std::string_view name) {
                      [&](const auto& layer) { return name == layer.layerName.data(); });
 }
 
-vk::raii::Instance createInstance(const vk::raii::Context& context, bool validation) {
+vk::raii::Instance createInstance(const vk::raii::Context& context, bool validation,
+                                  const std::optional<Presentation>& presentation = {}) {
   const vk::ApplicationInfo application("morphgrid", 1, nullptr, 0, kApiVersion);
   std::vector<const char*> layers;
   std::vector<const char*> extensions;
+  if (presentation) {
+    for (const std::string& extension : presentation->instanceExtensions) {
+      extensions.push_back(extension.c_str());
+    }
+  }
   const vk::ValidationFeatureEnableEXT synchronization =
       vk::ValidationFeatureEnableEXT::eSynchronizationValidation;
   const vk::ValidationFeaturesEXT features(synchronization);
@@ -128,8 +133,22 @@ std::optional<std::uint32_t> generalQueueFamily(const vk::raii::PhysicalDevice& 
   return std::nullopt;
 }
 
+bool hasSwapchain(const vk::raii::PhysicalDevice& device) {
+  const auto extensions = device.enumerateDeviceExtensionProperties();
+  return std::any_of(extensions.begin(), extensions.end(), [](const auto& extension) {
+    return std::string_view(extension.extensionName.data()) == VK_KHR_SWAPCHAIN_EXTENSION_NAME;
+  });
+}
+
+bool canPresent(const vk::raii::Instance& instance, const vk::raii::PhysicalDevice& device,
+                const Presentation& presentation) {
+  return hasSwapchain(device) &&
+         presentation.isSupported(*instance, *device, *generalQueueFamily(device));
+}
+
 /// Empty when the device can run morphgrid, else what it lacks.
-std::string shortcoming(const vk::raii::PhysicalDevice& device) {
+std::string shortcoming(const vk::raii::Instance& instance, const vk::raii::PhysicalDevice& device,
+                        const std::optional<Presentation>& presentation) {
   const auto properties = device.getProperties();
   if (properties.apiVersion < kApiVersion) {
     return fmt::format("it offers Vulkan {}, morphgrid needs {} or later",
@@ -137,6 +156,9 @@ std::string shortcoming(const vk::raii::PhysicalDevice& device) {
   }
   if (!generalQueueFamily(device)) {
     return "it has no queue for both compute and graphics";
+  }
+  if (presentation && !canPresent(instance, device, *presentation)) {
+    return "it cannot draw into a window of this display";
   }
   return {};
 }
@@ -158,7 +180,8 @@ bool isSelected(std::size_t index, const std::string& name, const std::string& s
 }
 
 vk::raii::PhysicalDevice selectDevice(const vk::raii::Instance& instance,
-                                      const std::string& selection) {
+                                      const DeviceOptions& options) {
+  const std::string& selection = options.selection;
   const auto devices = physicalDevices(instance);
   std::vector<std::string> reasons;
   for (std::size_t n = 0; n < devices.size(); ++n) {
@@ -167,7 +190,7 @@ vk::raii::PhysicalDevice selectDevice(const vk::raii::Instance& instance,
       reasons.push_back(fmt::format("{} {}: not asked for", n, name));
       continue;
     }
-    const std::string reason = shortcoming(devices[n]);
+    const std::string reason = shortcoming(instance, devices[n], options.presentation);
     if (reason.empty()) {
       return devices[n];
     }
@@ -197,13 +220,17 @@ vk::PhysicalDeviceProperties limitedProperties(const vk::raii::PhysicalDevice& d
 }
 
 vk::raii::Device createDevice(const vk::raii::PhysicalDevice& physical, std::uint32_t queueFamily,
-                              bool float64) {
+                              bool float64, bool presents) {
+  std::vector<const char*> extensions;
+  if (presents) {
+    extensions.push_back(VK_KHR_SWAPCHAIN_EXTENSION_NAME);
+  }
   vk::PhysicalDeviceFeatures features;
   features.shaderFloat64 = float64;
   const float priority = 1;
   const vk::DeviceQueueCreateInfo queue({}, queueFamily, 1, &priority);
   try {
-    return {physical, vk::DeviceCreateInfo({}, queue, {}, {}, &features)};
+    return {physical, vk::DeviceCreateInfo({}, queue, {}, extensions, &features)};
   } catch (const vk::SystemError& error) {
     throw DeviceError(fmt::format("the Vulkan device {} cannot be opened: {}",
                                   physical.getProperties().deviceName.data(), error.what()));
@@ -237,15 +264,17 @@ Device::Device(const DeviceOptions& options)
     : messages_(std::make_unique<std::vector<std::string>>()),
       memoryUse_(std::make_unique<MemoryUse>()),
       context_(loadVulkan()),
-      instance_(createInstance(context_, options.validation)),
+      instance_(createInstance(context_, options.validation, options.presentation)),
       messenger_(createMessenger(instance_, options.validation, messages_.get())),
-      physical_(selectDevice(instance_, options.selection)),
+      physical_(selectDevice(instance_, options)),
       properties_(limitedProperties(physical_, options.largestStorageBuffer)),
       queueFamily_(*generalQueueFamily(physical_)),
       hasFloat64_(physical_.getFeatures().shaderFloat64 != VK_FALSE),
       subgroupSize_(subgroupSizeOf(physical_)),
-      device_(createDevice(physical_, queueFamily_, hasFloat64_)),
+      device_(createDevice(physical_, queueFamily_, hasFloat64_, options.presentation.has_value())),
       queue_(device_, queueFamily_, 0),
+      queueMutex_(std::make_unique<std::mutex>()),
+      pace_(options.presentation ? std::make_shared<SubmissionPace>() : nullptr),
       programs_(std::make_shared<KernelPrograms>()),
       profile_(options.profile ? createProfile(physical_, queueFamily_) : nullptr) {}
 

@@ -1,6 +1,9 @@
 #pragma once
+#include <functional>
 #include <limits>
 #include <memory>
+#include <mutex>
+#include <optional>
 #include <string>
 #include <vector>
 #include <vulkan/vulkan_raii.hpp>
@@ -11,6 +14,7 @@ namespace morphgrid {
 
 class KernelProfile;
 class KernelPrograms;
+class SubmissionPace;
 
 struct DeviceSummary {
   std::string name;
@@ -22,6 +26,13 @@ struct DeviceSummary {
 /// Throws DeviceError when there is no Vulkan at all.
 std::vector<DeviceSummary> listDevices();
 
+/// What a device needs to show pictures in windows.
+struct Presentation {
+  std::vector<std::string> instanceExtensions;
+  /// Whether a queue family of a device can present to where windows open.
+  std::function<bool(VkInstance, VkPhysicalDevice, std::uint32_t queueFamily)> isSupported;
+};
+
 struct DeviceOptions {
   /// An index, or a part of a device's name in any case; empty: the first device that will do.
   std::string selection;
@@ -29,11 +40,13 @@ struct DeviceOptions {
   bool validation = false;
   /// Whether to time every call on the device, which costs a little; see Device::profile().
   bool profile = false;
+  /// For windows; only devices that can present will do then.
+  std::optional<Presentation> presentation;
   /// Bytes of a storage buffer that shaders reach, at most: for tests of what does not fit.
   std::uint32_t largestStorageBuffer = std::numeric_limits<std::uint32_t>::max();
 };
 
-/// A Vulkan device with one queue for compute, graphics and transfer.
+/// A Vulkan device with one queue for compute, graphics, transfer and, where asked for, windows.
 class Device {
  public:
   /// Throws DeviceError that says what is missing and what to do.
@@ -43,6 +56,8 @@ class Device {
   const vk::raii::PhysicalDevice& physical() const { return physical_; }
   const vk::raii::Instance& instance() const { return instance_; }
   const vk::raii::Queue& queue() const { return queue_; }
+  /// To be held wherever the queue is used: windows and solvers do so on threads of their own.
+  std::mutex& queueMutex() const { return *queueMutex_; }
   std::uint32_t queueFamily() const { return queueFamily_; }
   const vk::PhysicalDeviceLimits& limits() const { return properties_.limits; }
   std::string name() const { return properties_.deviceName.data(); }
@@ -57,6 +72,9 @@ class Device {
 
   /// Of its buffers, host-visible ones too, as the driver rounds their sizes.
   MemoryUse& memoryUse() const { return *memoryUse_; }
+
+  /// Null unless windows are drawn into: then submissions must be short.
+  SubmissionPace* pace() const { return pace_.get(); }
 
   /// Times of all calls since it was last cleared; null unless DeviceOptions::profile.
   KernelProfile* profile() const { return profile_.get(); }
@@ -81,6 +99,8 @@ class Device {
   std::uint32_t subgroupSize_;
   vk::raii::Device device_;
   vk::raii::Queue queue_;
+  std::unique_ptr<std::mutex> queueMutex_;
+  std::shared_ptr<SubmissionPace> pace_;
   std::shared_ptr<KernelPrograms> programs_;
   std::shared_ptr<KernelProfile> profile_;
 };

@@ -27,7 +27,8 @@ vk::PipelineColorBlendAttachmentState attachmentOf(Blending blending) {
 
 vk::raii::Pipeline createPipeline(const Device& device, const ShaderPair& shaders,
                                   vk::PipelineLayout layout, vk::RenderPass renderPass,
-                                  vk::SampleCountFlagBits samples, Blending blending) {
+                                  vk::SampleCountFlagBits samples, Blending blending,
+                                  Primitive primitive) {
   using Stage = vk::ShaderStageFlagBits;
   const vk::raii::ShaderModule vertex = createModule(device, shaders.vertex);
   const vk::raii::ShaderModule fragment = createModule(device, shaders.fragment);
@@ -35,7 +36,9 @@ vk::raii::Pipeline createPipeline(const Device& device, const ShaderPair& shader
       vk::PipelineShaderStageCreateInfo({}, Stage::eVertex, *vertex, "main"),
       vk::PipelineShaderStageCreateInfo({}, Stage::eFragment, *fragment, "main")};
   const vk::PipelineVertexInputStateCreateInfo vertexInput;
-  const vk::PipelineInputAssemblyStateCreateInfo assembly({}, vk::PrimitiveTopology::eTriangleList);
+  const vk::PipelineInputAssemblyStateCreateInfo assembly(
+      {}, primitive == Primitive::triangles ? vk::PrimitiveTopology::eTriangleList
+                                            : vk::PrimitiveTopology::eLineList);
   const vk::PipelineViewportStateCreateInfo viewport({}, 1, nullptr, 1, nullptr);
   vk::PipelineRasterizationStateCreateInfo rasterization;
   rasterization.lineWidth = 1;  // Validation wants it even without lines.
@@ -57,13 +60,15 @@ vk::raii::Pipeline createPipeline(const Device& device, const ShaderPair& shader
 GraphicsPipeline::GraphicsPipeline(const Device& device, const ShaderPair& shaders,
                                    const std::vector<ResourceSlot>& slots,
                                    std::uint32_t pushConstantBytes, vk::RenderPass renderPass,
-                                   vk::SampleCountFlagBits samples, Blending blending) {
+                                   vk::SampleCountFlagBits samples, Blending blending,
+                                   Primitive primitive) {
   try {
     setLayout_ = createSetLayout(device, slots, vk::ShaderStageFlagBits::eVertex);
     const vk::PushConstantRange push(kPushStages, 0, pushConstantBytes);
     layout_ = vk::raii::PipelineLayout(device.handle(),
                                        vk::PipelineLayoutCreateInfo({}, *setLayout_, push));
-    pipeline_ = createPipeline(device, shaders, *layout_, renderPass, samples, blending);
+    pipeline_ = createPipeline(device, shaders, *layout_, renderPass, samples, blending,
+                               primitive);
   } catch (const vk::SystemError& error) {
     throw DeviceError(
         fmt::format("device {} cannot build a graphics pipeline: {}", device.name(), error.what()));

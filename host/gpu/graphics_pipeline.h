@@ -15,7 +15,9 @@ enum class Blending {
   translucent,  ///< By alpha, over what is there; hides nothing that is drawn later.
 };
 
-/// Draws triangles, front and back, with a depth test. There are no vertex attributes: the vertex
+enum class Primitive { triangles, lines };
+
+/// Draws triangles, front and back, or lines of a pixel's width, with a depth test. There are no vertex attributes: the vertex
 /// shader makes everything from gl_VertexIndex and its resources. Push constants reach both
 /// shaders.
 class GraphicsPipeline {
@@ -24,7 +26,8 @@ class GraphicsPipeline {
   GraphicsPipeline(const Device& device, const ShaderPair& shaders,
                    const std::vector<ResourceSlot>& slots, std::uint32_t pushConstantBytes,
                    vk::RenderPass renderPass, vk::SampleCountFlagBits samples,
-                   Blending blending = Blending::opaque);
+                   Blending blending = Blending::opaque,
+                   Primitive primitive = Primitive::triangles);
 
   vk::DescriptorSetLayout setLayout() const { return *setLayout_; }
 

@@ -1,9 +1,8 @@
 #pragma once
 #include <functional>
-#include <optional>
 
-#include "gpu/attachment.h"
 #include "gpu/command_stream.h"
+#include "gpu/draw_pass.h"
 
 namespace morphgrid {
 
@@ -15,29 +14,21 @@ class OffscreenTarget {
   OffscreenTarget(const Device& device, std::uint32_t width, std::uint32_t height,
                   std::uint32_t wantedSamples);
 
-  std::uint32_t width() const { return width_; }
-  std::uint32_t height() const { return height_; }
-  vk::RenderPass renderPass() const { return *renderPass_; }
-  vk::SampleCountFlagBits samples() const { return samples_; }
+  std::uint32_t width() const { return canvas_.width(); }
+  std::uint32_t height() const { return canvas_.height(); }
+  vk::RenderPass renderPass() const { return pass_.renderPass(); }
+  vk::SampleCountFlagBits samples() const { return pass_.samples(); }
 
   /// Clears to white, records `draw` inside the render pass, with shaders seeing all that was
   /// written before, and waits. Returns height x width x 4 bytes, RGBA, from the top.
   std::vector<std::uint8_t> render(const std::function<void(const vk::raii::CommandBuffer&)>& draw);
 
  private:
-  vk::raii::Framebuffer createFramebuffer(const Device& device) const;
-  void recordPass(const std::function<void(const vk::raii::CommandBuffer&)>& draw);
   void recordReadBack();
 
-  std::uint32_t width_;
-  std::uint32_t height_;
-  vk::SampleCountFlagBits samples_;
-  vk::Format depthFormat_;
-  std::optional<Attachment> multisampled_;  ///< Only where a pixel has several samples.
+  DrawPass pass_;
   Attachment color_;
-  Attachment depth_;
-  vk::raii::RenderPass renderPass_;
-  vk::raii::Framebuffer framebuffer_;
+  Canvas canvas_;
   Buffer pixels_;
   CommandStream stream_;
 };
