@@ -7,7 +7,6 @@
 #include <cmath>
 #include <utility>
 
-#include "core/interrupt.h"
 #include "solve/morph_course.h"
 #include "solve/multigrid_solver.h"
 
@@ -88,7 +87,7 @@ InverseDesign InverseDesigner::run(Equilibrium first) {
     state_ = kept_;
   }
   optimise();
-  if (interruptRequested()) {
+  if (options_.solve.stopRequested()) {
     result_.ending = "interrupted";
   }
   if (!settle()) {
@@ -134,9 +133,11 @@ bool InverseDesigner::settle() {
 
 /// What is printed starts flat, not at the last design's equilibrium.
 void InverseDesigner::morphFromFlat() {
-  const Equilibrium end =
-      followMorph(device_, grid_, {.steps = kMorphSteps, .solve = options_.solve}).end;
-  if (interruptRequested()) {
+  SolveOptions solve = options_.solve;
+  solve.onProgress = nullptr;  // Who looks on sees the designed grid.
+  solve.onGrid = nullptr;
+  const Equilibrium end = followMorph(device_, grid_, {.steps = kMorphSteps, .solve = solve}).end;
+  if (options_.solve.stopRequested()) {
     return;
   }
   const double energy = kept_.equilibrium.energy;
@@ -160,7 +161,7 @@ InverseDesigner::State InverseDesigner::morphed(const VectorXd& rest, double ene
 }
 
 void InverseDesigner::compensate() {
-  for (int round = 1; round <= options_.compensateRounds && !interruptRequested(); ++round) {
+  for (int round = 1; round <= options_.compensateRounds && !options_.solve.stopRequested(); ++round) {
     const VectorXd lengths = lateral_.lengthsAt(state_.equilibrium.positions);
     const VectorXd rest = state_.rest.cwiseProduct(designed_).cwiseQuotient(lengths);
     State next = morphed(lbfgs_.project(rest), kEnergyTolerance);
@@ -189,7 +190,7 @@ bool InverseDesigner::falls() const {
 
 void InverseDesigner::optimise() {
   VectorXd slope;
-  for (int step = 1; step <= options_.optimiseSteps && !interruptRequested(); ++step) {
+  for (int step = 1; step <= options_.optimiseSteps && !options_.solve.stopRequested(); ++step) {
     if (slope.size() == 0) {
       slope = gradient();
     }
@@ -221,7 +222,7 @@ void InverseDesigner::optimise() {
 
 bool InverseDesigner::searchLine(const VectorXd& direction) {
   double length = 1;
-  for (int attempt = 0; attempt < kLineSearchSteps && !interruptRequested(); ++attempt) {
+  for (int attempt = 0; attempt < kLineSearchSteps && !options_.solve.stopRequested(); ++attempt) {
     State next = morphed(lbfgs_.project(state_.rest + length * direction), kEnergyTolerance);
     if (next.equilibrium.converged && next.error.objective < state_.error.objective) {
       state_ = std::move(next);

@@ -1,4 +1,5 @@
 #pragma once
+#include <atomic>
 #include <optional>
 
 #include "gpu/buffer.h"
@@ -31,9 +32,13 @@ class DeviceGrid {
   /// What the fixed-point zero stands for, in the scene's unit of length.
   const Eigen::Vector3d& origin() const { return origin_; }
 
-  /// ivec4 a vertex. The solver swaps between two such buffers; this one holds the newest state.
+  /// ivec4 a vertex. The solver swaps between two such buffers; this one holds the newest state
+  /// before and after a solve.
   const Buffer& positions() const { return positions_; }
   const Buffer& previousPositions() const { return previousPositions_; }
+  /// Whether positions() holds the newest state, or previousPositions(): for who looks on.
+  bool newestIsFirst() const { return newestIsFirst_; }
+  void noteNewest(bool isFirst) { newestIsFirst_ = isFirst; }
   /// ivec4 a vertex: rest lengths of the struts to +u, +v, +w in fixed point; step per force.
   const Buffer& rest() const { return rest_; }
   /// vec4 a vertex: stiffnesses of the struts to +u, +v, +w.
@@ -63,6 +68,7 @@ class DeviceGrid {
   Buffer previousPositions_;
   Buffer rest_;
   Buffer stiffness_;
+  std::atomic<bool> newestIsFirst_ = true;
 };
 
 }  // namespace morphgrid

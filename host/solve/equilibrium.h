@@ -1,13 +1,17 @@
 #pragma once
 #include <Eigen/Core>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "core/interrupt.h"
 #include "solve/smallest_eigenvalue.h"
 
 namespace morphgrid {
+
+class DeviceGrid;
 
 enum class StopReason {
   residual,        ///< The residual fell below the tolerance: converged.
@@ -54,6 +58,12 @@ struct SolveOptions {
   /// Called with where the solve stands, as often as costs 1 % of its time, and when it has to end
   /// early; may be empty.
   std::function<void(SolveCheckpoint)> onCheckpoint;
+  /// Called with each coarser grid that is solved first, and with none when the grid itself begins;
+  /// may be empty.
+  std::function<void(std::shared_ptr<const DeviceGrid>)> onGrid;
+  /// Whether to end early, asked for often; may be empty: only Ctrl-C counts then.
+  std::function<bool()> isCancelled;
+  bool stopRequested() const { return interruptRequested() || (isCancelled && isCancelled()); }
   /// Of a solve of the same grid by the same method. Iterations and seconds count on from there.
   std::optional<SolveCheckpoint> resumeFrom;
 };

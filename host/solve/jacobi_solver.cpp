@@ -9,7 +9,6 @@
 #include <optional>
 
 #include "core/error.h"
-#include "core/interrupt.h"
 #include "solve/checkpoint_pace.h"
 #include "solve/control_comp.h"
 #include "solve/energy.h"
@@ -174,7 +173,7 @@ class JacobiSolver::RunLog {
 
   /// Why the whole solve must end now, if it must.
   std::optional<StopReason> reasonToStop() const {
-    if (interruptRequested()) {
+    if (options_.stopRequested()) {
       return StopReason::interrupted;
     }
     if (sweeps_ >= options_.iterationLimit) {

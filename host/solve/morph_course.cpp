@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cassert>
 
-#include "core/interrupt.h"
 #include "solve/device_grid.h"
 #include "solve/imperfection.h"
 #include "solve/loaded_rest.h"
@@ -26,7 +25,7 @@ MorphCourse followMorph(const Device& device, const StrutGrid& grid, const Morph
   solve.energyTolerance = std::max(solve.energyTolerance, kEnergyToleranceOnTheWay);
   MorphCourse course;
   course.positions.push_back(grid.positions);
-  for (int step = 1; step <= options.steps && !interruptRequested(); ++step) {
+  for (int step = 1; step <= options.steps && !solve.stopRequested(); ++step) {
     loaded.rest = loadedRest(grid, static_cast<double>(step) / options.steps);
     deviceGrid.uploadRest(loaded.rest);
     // A symmetric grid may lose its balance at any step: it must find the way out.

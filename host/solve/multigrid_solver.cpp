@@ -8,7 +8,6 @@
 #include <optional>
 
 #include "core/error.h"
-#include "core/interrupt.h"
 #include "solve/checkpoint_pace.h"
 #include "solve/energy.h"
 #include "solve/imperfection.h"
@@ -98,6 +97,13 @@ class Progress {
     cyclesToCome_ -= kExpectedCycles * share_;
   }
 
+  /// A coarser grid, or none: the grid itself.
+  void tellGrid(std::shared_ptr<const DeviceGrid> grid) const {
+    if (options_.onGrid) {
+      options_.onGrid(std::move(grid));
+    }
+  }
+
   double noEnergy() const { return noEnergy_; }
   double residualOf(const PreconditionedDescent& descent) const {
     return descent.gradientNorm() * residualScale_;
@@ -124,7 +130,7 @@ class Progress {
   }
 
   std::optional<StopReason> reasonToStop() const {
-    if (interruptRequested()) {
+    if (options_.stopRequested()) {
       return StopReason::interrupted;
     }
     if (cycles_ >= static_cast<double>(options_.iterationLimit)) {
@@ -158,8 +164,9 @@ Precision precisionOf(const Device& device) {
 
 /// Positions of a coarser grid's equilibrium, about.
 Eigen::Matrix3Xd solveCoarse(const Device& device, const StrutGrid& grid, Progress& progress) {
-  DeviceGrid deviceGrid(device, grid);
-  PreconditionedDescent descent(device, deviceGrid, precisionOf(device));
+  const auto deviceGrid = std::make_shared<DeviceGrid>(device, grid);
+  PreconditionedDescent descent(device, *deviceGrid, precisionOf(device));
+  progress.tellGrid(deviceGrid);
   EnergyFall fall(kCoarseTolerance, progress.noEnergy());
   while (!progress.reasonToStop() && fall.quietSteps() == 0 && descent.iterate()) {
     fall.add(descent);
@@ -218,6 +225,7 @@ StopReason solveFinest(const Device& device, DeviceGrid& deviceGrid, const Solve
   }
   PreconditionedDescent descent(device, deviceGrid, precisionOf(device));
   progress.beginGrid(phase);
+  progress.tellGrid(nullptr);
   const StopReason reason = descend(descent, options, progress);
   descent.finish();
   return reason;

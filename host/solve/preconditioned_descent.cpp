@@ -121,6 +121,7 @@ bool PreconditionedDescent::searchLine(double descent) {
       dots_ = vectors_.dots();
       history_.add(dots_.products);
       vectors_.accept();
+      grid_.noteNewest(vectors_.currentIsFirst());
       return true;
     }
   }
@@ -140,6 +141,7 @@ void PreconditionedDescent::finish() {
     stream_.end();
     stream_.submitAndWait();
     vectors_.accept();
+    grid_.noteNewest(true);
   }
 }
 

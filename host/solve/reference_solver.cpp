@@ -8,7 +8,6 @@
 #include <optional>
 
 #include "core/error.h"
-#include "core/interrupt.h"
 #include "solve/checkpoint_pace.h"
 #include "solve/constant_matrix.h"
 
@@ -142,7 +141,7 @@ Equilibrium solveReference(const StrutGrid& grid, const SolveOptions& options) {
       bestResidual = result.residual;
       bestIteration = result.iterations;
     }
-    const bool interrupted = interruptRequested();
+    const bool interrupted = options.stopRequested();
     pace.offer(0, last || interrupted, [&] {
       return SolveCheckpoint{0, result.positions, static_cast<double>(result.iterations),
                              result.seconds, result.history};
