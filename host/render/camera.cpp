@@ -14,7 +14,7 @@ constexpr double kFieldOfView = 28 * std::numbers::pi / 180;  ///< Of the pictur
 constexpr double kFramed = 0.9;  ///< Share of the field of view that the points may fill.
 
 /// Rows: right, up, and towards the eye.
-Eigen::Matrix3d viewRotation(const Eigen::Vector3d& viewDirection, const Eigen::Vector3d& up) {
+Eigen::Matrix3d rotationFor(const Eigen::Vector3d& viewDirection, const Eigen::Vector3d& up) {
   const Eigen::Vector3d backwards = -viewDirection.normalized();
   Eigen::Vector3d right = up.cross(backwards);
   if (right.norm() < 1e-6 * up.norm() || up.isZero()) {
@@ -67,17 +67,30 @@ glm::dmat4 translationThenRotation(const Eigen::Matrix3d& rotation,
 
 }  // namespace
 
+Camera cameraAt(const Eigen::Vector3d& eye, const Eigen::Matrix3d& viewRotation, double aspect,
+                double nearPlane, double farPlane) {
+  assert(0 < nearPlane && nearPlane < farPlane);
+  Camera camera;
+  camera.viewFromWorld = translationThenRotation(viewRotation, viewRotation * eye);
+  camera.clipFromView =
+      glm::perspectiveRH_ZO(2 * std::atan(viewSlope(aspect)), aspect, nearPlane, farPlane);
+  camera.clipFromView[1][1] *= -1;
+  return camera;
+}
+
+double viewSlope(double aspect) { return std::tan(kFieldOfView / 2) / std::min(aspect, 1.0); }
+
 Camera frameAll(const Eigen::Matrix3Xd& points, const Eigen::Vector3d& viewDirection,
                 const Eigen::Vector3d& up, double aspect) {
   assert(points.cols() >= 1 && aspect > 0 && !viewDirection.isZero());
-  const Eigen::Matrix3d rotation = viewRotation(viewDirection, up);
+  const Eigen::Matrix3d rotation = rotationFor(viewDirection, up);
   const Eigen::Matrix3Xd inView = rotation * points;
   const Eigen::Vector3d extent = inView.rowwise().maxCoeff() - inView.rowwise().minCoeff();
   const double size = extent.norm() > 0 ? extent.norm() : 1;
   const double farthest = inView.row(2).minCoeff();
   const double nearest = inView.row(2).maxCoeff();
 
-  const double slope = std::tan(kFieldOfView / 2) / std::min(aspect, 1.0);
+  const double slope = viewSlope(aspect);
   const Eigen::ArrayXd towardsEye = inView.row(2);
   const double fitting =
       std::max(fittingDistance(inView.row(0), towardsEye, kFramed * slope * aspect),
@@ -91,11 +104,7 @@ Camera frameAll(const Eigen::Matrix3Xd& points, const Eigen::Vector3d& viewDirec
   // What is drawn around the points (the struts' width) must not be cut off.
   const double nearPlane = (distance - nearest) / 2;
   const double farPlane = distance - farthest + size / 4;
-  Camera camera;
-  camera.viewFromWorld = translationThenRotation(rotation, eye);
-  camera.clipFromView = glm::perspectiveRH_ZO(2 * std::atan(slope), aspect, nearPlane, farPlane);
-  camera.clipFromView[1][1] *= -1;
-  return camera;
+  return cameraAt(rotation.transpose() * eye, rotation, aspect, nearPlane, farPlane);
 }
 
 }  // namespace morphgrid

@@ -34,6 +34,14 @@ inline const View kRayView{{1, 0, 0}, {0, 1, 0}};
 /// For results whose target is a mesh: from where the rays come, a little from above and the left.
 inline const View kMeshView{{0.85, -0.3, 0.5}, {0, 1, 0}};
 
+/// A camera at `eye`. viewRotation: orthonormal rows: what points to the right, up, and towards the
+/// eye. aspect = width / height of the picture, > 0; 0 < nearPlane < farPlane, distances.
+Camera cameraAt(const Eigen::Vector3d& eye, const Eigen::Matrix3d& viewRotation, double aspect,
+                double nearPlane, double farPlane);
+
+/// Half of what the camera sees at a distance of 1, upwards.
+double viewSlope(double aspect);
+
 /// The nearest camera that looks along viewDirection and sees all points, with a margin, centred.
 /// points: 3 x n, n >= 1, in world coordinates. viewDirection: any length but 0; up: what points up
 /// in the picture; where it is parallel to viewDirection, some direction is taken. aspect = width /

@@ -79,26 +79,6 @@ Buffer uploadColumns(const Device& device, const Columns& columns, const char* w
   return buffer;
 }
 
-/// Things that are drawn by one pair of shaders, from the same buffers.
-class Layer {
- public:
-  Layer(const Device& device, const OffscreenTarget& target, const ShaderPair& shaders,
-        const std::vector<KernelResource>& buffers)
-      : pipeline_(device, shaders, slotsOf(buffers), sizeof(SamplingPush), target.renderPass(),
-                  target.samples()),
-        resources_(device, pipeline_.setLayout(), buffers) {}
-
-  void draw(const vk::raii::CommandBuffer& commands, const SamplingPush& push,
-            Eigen::Index vertexCount) const {
-    pipeline_.bind(commands, resources_);
-    pipeline_.draw(commands, push, static_cast<uint>(vertexCount));
-  }
-
- private:
-  GraphicsPipeline pipeline_;
-  ResourceSet resources_;
-};
-
 SamplingPush commonPush(const LocalView& view, const SamplingLayout& layout) {
   SamplingPush push{};
   push.clipFromLocal = view.clipFromLocal;
@@ -136,35 +116,57 @@ Eigen::Index splineVertices(const SamplingPush& push, int isolines, int rays) {
 
 }  // namespace
 
+SamplingDrawing::SamplingDrawing(const Device& device, const TriangleMesh& mesh,
+                                 const RayHits& hits, vk::RenderPass renderPass,
+                                 vk::SampleCountFlagBits samples)
+    : layout_(layOutSampling(mesh, hits)),
+      meshVertices_(mesh.triangles.size()),
+      raysU_(hits.countU),
+      raysV_(hits.countV),
+      vertices_(uploadColumns(device, LocalFrame(layout_).toLocal(mesh.vertices), "vertices")),
+      triangles_(uploadColumns(device, mesh.triangles, "triangles")),
+      rays_(uploadColumns(device, localHits(LocalFrame(layout_), hits), "rays")),
+      balls_(uploadColumns(device, localBalls(LocalFrame(layout_), layout_, hits), "rays")),
+      mesh_(device, {mesh_vert_spirv, mesh_frag_spirv},
+            {{kBindingMeshVertices, &vertices_}, {kBindingMeshTriangles, &triangles_}}, renderPass,
+            samples),
+      splines_(device, {spline_vert_spirv, round_frag_spirv}, {{kBindingRayHits, &rays_}},
+               renderPass, samples),
+      ballLayer_(device, {ball_vert_spirv, round_frag_spirv}, {{kBindingBalls, &balls_}},
+                 renderPass, samples) {}
+
+SamplingDrawing::Layer::Layer(const Device& device, const ShaderPair& shaders,
+                              const std::vector<KernelResource>& buffers,
+                              vk::RenderPass renderPass, vk::SampleCountFlagBits samples)
+    : pipeline(device, shaders, slotsOf(buffers), sizeof(SamplingPush), renderPass, samples),
+      resources(device, pipeline.setLayout(), buffers) {}
+
+void SamplingDrawing::Layer::draw(const vk::raii::CommandBuffer& commands,
+                                  const SamplingPush& push, Eigen::Index vertexCount) const {
+  pipeline.bind(commands, resources);
+  pipeline.draw(commands, push, static_cast<uint>(vertexCount));
+}
+
+void SamplingDrawing::draw(const vk::raii::CommandBuffer& commands, const Camera& camera,
+                           int imageHeight) const {
+  const LocalView view = localView(LocalFrame(layout_).worldFromLocal(), camera, imageHeight);
+  const SamplingPush push = commonPush(view, layout_);
+  const SamplingPush alongU = splinePush(push, layout_, 0, raysU_);
+  const SamplingPush alongV = splinePush(push, layout_, 1, raysV_);
+  mesh_.draw(commands, push, meshVertices_);
+  splines_.draw(commands, alongU, splineVertices(alongU, layout_.rows.count, raysU_));
+  splines_.draw(commands, alongV, splineVertices(alongV, layout_.columns.count, raysV_));
+  const auto ballCount = static_cast<Eigen::Index>(balls_.bytes() / sizeof(glm::vec4));
+  ballLayer_.draw(commands, ballPush(push, layout_), kVerticesPerDisc * ballCount);
+}
+
 Image drawSampling(const Device& device, const TriangleMesh& mesh, const RayHits& hits,
                    const Camera& camera, int width, int height, int samples) {
-  const SamplingLayout layout = layOutSampling(mesh, hits);
-  const LocalFrame frame(layout);
-  const Eigen::Matrix4Xf ballColumns = localBalls(frame, layout, hits);
-  const Buffer vertices = uploadColumns(device, frame.toLocal(mesh.vertices), "vertices");
-  const Buffer triangles = uploadColumns(device, mesh.triangles, "triangles");
-  const Buffer rays = uploadColumns(device, localHits(frame, hits), "rays");
-  const Buffer balls = uploadColumns(device, ballColumns, "rays");
-
   OffscreenTarget target(device, static_cast<uint>(width), static_cast<uint>(height),
                          static_cast<uint>(samples));
-  const Layer meshLayer(device, target, {mesh_vert_spirv, mesh_frag_spirv},
-                        {{kBindingMeshVertices, &vertices}, {kBindingMeshTriangles, &triangles}});
-  const Layer splineLayer(device, target, {spline_vert_spirv, round_frag_spirv},
-                          {{kBindingRayHits, &rays}});
-  const Layer ballLayer(device, target, {ball_vert_spirv, round_frag_spirv},
-                        {{kBindingBalls, &balls}});
-
-  const SamplingPush push = commonPush(localView(frame.worldFromLocal(), camera, height), layout);
-  const SamplingPush alongU = splinePush(push, layout, 0, hits.countU);
-  const SamplingPush alongV = splinePush(push, layout, 1, hits.countV);
+  const SamplingDrawing drawing(device, mesh, hits, target.renderPass(), target.samples());
   return {width, height, target.render([&](const vk::raii::CommandBuffer& commands) {
-            meshLayer.draw(commands, push, mesh.triangles.size());
-            splineLayer.draw(commands, alongU,
-                             splineVertices(alongU, layout.rows.count, hits.countU));
-            splineLayer.draw(commands, alongV,
-                             splineVertices(alongV, layout.columns.count, hits.countV));
-            ballLayer.draw(commands, ballPush(push, layout), kVerticesPerDisc * ballColumns.cols());
+            drawing.draw(commands, camera, height);
           })};
 }
 

@@ -132,8 +132,10 @@ Font::Font(const std::filesystem::path& file)
 Font::Font(Font&&) noexcept = default;
 Font::~Font() = default;
 
-Font Font::findSans() { return Font(firstOf(kSansFiles)); }
-Font Font::findMono() { return Font(firstOf(kMonoFiles)); }
+Font Font::findSans() { return Font(sansFile()); }
+Font Font::findMono() { return Font(monoFile()); }
+std::filesystem::path Font::sansFile() { return firstOf(kSansFiles); }
+std::filesystem::path Font::monoFile() { return firstOf(kMonoFiles); }
 
 float Font::scaleFor(double size) const {
   return stbtt_ScaleForPixelHeight(info_.get(), static_cast<float>(size));

@@ -25,6 +25,9 @@ class Font {
   static Font findSans();
   /// DejaVu Sans Mono, alike: for tables.
   static Font findMono();
+  /// Their files.
+  static std::filesystem::path sansFile();
+  static std::filesystem::path monoFile();
 
   /// In pixels, of UTF-8 text in letters of `size` pixels from ascender to descender.
   double widthOf(std::string_view text, double size) const;

@@ -12,13 +12,9 @@ namespace {
 
 constexpr double kStrutHalfWidth = 0.042;    // Spacings.
 constexpr double kLargestHalfWidth = 0.012;  // Of the grid's longer side: few cells stay slender.
-constexpr int kMostSurfaceQuads = 30000;     // The surface is refined up to about this many.
+constexpr int kSmoothQuads = 30000;  // The surface is refined up to about this many.
 constexpr int kFinestRefinement = 16;
 constexpr int kMostIsolines = 50;  // Along u, and along v.
-
-TexelView texelsOf(const Device& device, const Buffer& buffer) {
-  return {device, buffer, vk::Format::eR32G32B32A32Sint, sizeof(ivec4)};
-}
 
 /// Local coordinates: spacings about the grid's fixed-point zero.
 glm::dmat4 worldFromLocal(const DeviceGrid& grid, const Eigen::Isometry3d& worldFromGrid) {
@@ -34,12 +30,23 @@ double chooseHalfWidth(const GridShape& shape) {
   return std::min(kStrutHalfWidth, kLargestHalfWidth * longerSide);
 }
 
-int chooseRefinement(const GridShape& shape) {
-  const double cells = static_cast<double>(shape.verticesU - 1) * (shape.verticesV - 1);
-  return std::clamp(static_cast<int>(std::sqrt(kMostSurfaceQuads / cells)), 1, kFinestRefinement);
+double cellCount(const GridShape& shape) {
+  return static_cast<double>(shape.verticesU - 1) * (shape.verticesV - 1);
 }
 
+int chooseRefinement(const GridShape& shape, int mostQuads) {
+  return std::clamp(static_cast<int>(std::sqrt(mostQuads / cellCount(shape))), 1,
+                    kFinestRefinement);
+}
+
+/// Of `count` vertices every stride-th, and the last.
+int drawnCount(int count, int stride) { return (count - 2) / stride + 2; }
+
 }  // namespace
+
+TexelView texelsOf(const Device& device, const Buffer& buffer) {
+  return {device, buffer, vk::Format::eR32G32B32A32Sint, sizeof(ivec4)};
+}
 
 TexelView positionTexels(const Device& device, const DeviceGrid& grid) {
   return texelsOf(device, grid.positions());
@@ -67,6 +74,7 @@ StrutPush strutPush(const DeviceGrid& grid, const LocalView& view) {
   push.layers = shape.layers;
   push.restResolution = static_cast<float>(grid.restResolution());
   push.pixelSize = view.pixelSize;
+  push.stride = 1;
   return push;
 }
 
@@ -76,23 +84,28 @@ std::array<int, 3> strutCounts(const GridShape& shape) {
           shape.layerVertexCount() * (shape.layers - 1)};
 }
 
-SurfacePush surfacePush(const DeviceGrid& grid, const LocalView& view) {
+SurfacePush surfacePush(const DeviceGrid& grid, const LocalView& view,
+                        std::optional<int> mostQuads) {
   const GridShape& shape = grid.shape();
   SurfacePush push{};
   push.clipFromLocal = view.clipFromLocal;
   push.eye = view.eye;
   push.resolution = static_cast<float>(grid.resolution());
   push.towardsLight = view.towardsLight;
-  push.refine = chooseRefinement(shape);
+  push.stride = mostQuads ? static_cast<int>(std::ceil(std::sqrt(cellCount(shape) / *mostQuads)))
+                          : 1;
   push.verticesU = shape.verticesU;
   push.verticesV = shape.verticesV;
+  push.drawnU = drawnCount(shape.verticesU, push.stride);
+  push.drawnV = drawnCount(shape.verticesV, push.stride);
+  push.refine = chooseRefinement({push.drawnU, push.drawnV, 1}, mostQuads.value_or(kSmoothQuads));
   push.layers = shape.layers;
-  push.isolineStride = 1 + std::max(shape.verticesU, shape.verticesV) / kMostIsolines;
+  push.isolineStride = 1 + std::max(push.drawnU, push.drawnV) / kMostIsolines;
   return push;
 }
 
 uint surfaceVertexCount(const SurfacePush& push) {
-  const int quads = (push.verticesU - 1) * (push.verticesV - 1) * push.refine * push.refine;
+  const int quads = (push.drawnU - 1) * (push.drawnV - 1) * push.refine * push.refine;
   return kVerticesPerQuad * static_cast<uint>(quads);
 }
 

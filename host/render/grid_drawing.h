@@ -1,6 +1,7 @@
 #pragma once
 #include <Eigen/Geometry>
 #include <array>
+#include <optional>
 
 #include "gpu/resource_set.h"
 #include "render/local_view.h"
@@ -11,6 +12,8 @@ namespace morphgrid {
 
 /// What pictures of struts and of surfaces have in common.
 
+/// Of positions or rest lengths: an ivec4 a vertex.
+TexelView texelsOf(const Device& device, const Buffer& buffer);
 TexelView positionTexels(const Device& device, const DeviceGrid& grid);
 TexelView restTexels(const Device& device, const DeviceGrid& grid);
 
@@ -25,7 +28,10 @@ StrutPush strutPush(const DeviceGrid& grid, const LocalView& view);
 /// Struts to +u, +v, +w.
 std::array<int, 3> strutCounts(const GridShape& shape);
 
-SurfacePush surfacePush(const DeviceGrid& grid, const LocalView& view);
+/// The surface is refined up to about as many quads as look smooth. mostQuads: it is drawn with
+/// about as many at most, through fewer vertices than there are if need be.
+SurfacePush surfacePush(const DeviceGrid& grid, const LocalView& view,
+                        std::optional<int> mostQuads = std::nullopt);
 
 uint surfaceVertexCount(const SurfacePush& push);
 

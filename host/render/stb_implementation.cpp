@@ -22,6 +22,10 @@ unsigned char* packWithZlib(unsigned char* bytes, int count, int* packedCount, i
 
 #define STBIW_ZLIB_COMPRESS packWithZlib
 #define STB_IMAGE_WRITE_IMPLEMENTATION
+#define STB_RECT_PACK_IMPLEMENTATION
 #define STB_TRUETYPE_IMPLEMENTATION
 #include <stb/stb_image_write.h>
+// Dear ImGui calls these bodies too, and packs rectangles itself: without the first header
+// stb_truetype would take them for others.
+#include <stb/stb_rect_pack.h>
 #include <stb/stb_truetype.h>

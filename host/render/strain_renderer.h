@@ -1,11 +1,9 @@
 #pragma once
 #include <Eigen/Geometry>
 
-#include "gpu/graphics_pipeline.h"
 #include "gpu/offscreen_target.h"
-#include "render/camera.h"
+#include "render/grid_painter.h"
 #include "render/image.h"
-#include "solve/device_grid.h"
 
 namespace morphgrid {
 
@@ -29,12 +27,12 @@ class StrainRenderer {
 
  private:
   int height() const { return static_cast<int>(target_.height()); }
-  Image imageOf(std::vector<std::uint8_t> rgba) const;
+  Image draw(const DeviceGrid& grid, const GridLook& look, const Eigen::Isometry3d& worldFromGrid,
+             const Camera& camera);
 
   const Device& device_;
   OffscreenTarget target_;
-  GraphicsPipeline strutPipeline_;
-  GraphicsPipeline surfacePipeline_;
+  GridPainter painter_;
 };
 
 }  // namespace morphgrid

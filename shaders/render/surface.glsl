@@ -40,8 +40,9 @@ Spline splineAt(int sampleIndex, int count) {
 
 // Of the middle layer, or of the middle two.
 vec3 middlePoint(ivec2 lattice) {
-  ivec2 last = ivec2(push.verticesU, push.verticesV) - 1;
-  lattice = clamp(lattice, ivec2(0), last);  // Points beyond weigh nothing.
+  ivec2 drawnLast = ivec2(push.drawnU, push.drawnV) - 1;
+  lattice = clamp(lattice, ivec2(0), drawnLast);  // Points beyond weigh nothing.
+  lattice = min(lattice * push.stride, ivec2(push.verticesU, push.verticesV) - 1);
   int layerLength = push.verticesU * push.verticesV;
   int index = lattice.y * push.verticesU + lattice.x;
   vec3 upper = vec3(texelFetch(positions, index + push.layers / 2 * layerLength).xyz);
@@ -54,12 +55,12 @@ vec3 middlePoint(ivec2 lattice) {
 
 // Its place in the refined lattice.
 ivec2 placeVertex() {
-  int quadsU = (push.verticesU - 1) * push.refine;
+  int quadsU = (push.drawnU - 1) * push.refine;
   int quad = gl_VertexIndex / int(kVerticesPerQuad);
   ivec2 lattice =
       ivec2(quad % quadsU, quad / quadsU) + kCorners[gl_VertexIndex % int(kVerticesPerQuad)];
-  Spline u = splineAt(lattice.x, push.verticesU);
-  Spline v = splineAt(lattice.y, push.verticesV);
+  Spline u = splineAt(lattice.x, push.drawnU);
+  Spline v = splineAt(lattice.y, push.drawnV);
 
   point = vec3(0);
   vec3 alongU = vec3(0), alongV = vec3(0);

@@ -26,6 +26,9 @@ CONSTANT uint kBindingMeshTriangles = 1u;  // three vertex indices a triangle
 CONSTANT uint kBindingRayHits = 2u;  // vec4 a ray: where it hit, local; w is 0 where it missed
 CONSTANT uint kBindingBalls = 3u;    // vec4 a ball: its centre, local; w is 0 for a missed ray
 
+// A strut drawn as a line.
+CONSTANT uint kVerticesPerLine = 2u;
+
 // Struts and surfaces: bindings kBindingPositions and kBindingRest of solver_types.h, and shares.
 // Local coordinates are spacings about the zero of the fixed-point positions.
 CONSTANT uint kBindingShares =
@@ -43,6 +46,7 @@ struct StrutPush {
   int direction;         // 0, 1, 2: the struts to +u, +v, +w.
   float restResolution;  // Spacings per step of the fixed-point rest lengths.
   float pixelSize;       // What a pixel covers at a distance of 1.
+  int stride;            // Lines join every n-th vertex along u and v, and the last one.
 };
 
 struct SurfacePush {
@@ -50,11 +54,14 @@ struct SurfacePush {
   vec3 eye;           // local
   float resolution;   // Spacings per step of the fixed-point positions.
   vec3 towardsLight;  // local, unit length
-  int refine;         // Quads along each side of a cell.
+  int refine;         // Quads along each side of a drawn cell.
   int verticesU;
   int verticesV;
   int layers;
-  int isolineStride;  // Cells from one isoline to the next.
+  int isolineStride;  // Drawn cells from one isoline to the next.
+  int stride;         // It goes through every n-th vertex along u and v, and the last.
+  int drawnU;         // Such vertices.
+  int drawnV;
 };
 
 // Local coordinates here are about the middle of the sampled box, whose diagonal is 1.
@@ -74,8 +81,8 @@ struct SamplingPush {
 };
 
 #ifdef __cplusplus
-static_assert(sizeof(StrutPush) == 120);
-static_assert(sizeof(SurfacePush) == 112);
+static_assert(sizeof(StrutPush) == 124);
+static_assert(sizeof(SurfacePush) == 124);
 static_assert(sizeof(SamplingPush) == 124);
 }  // namespace morphgrid
 #endif

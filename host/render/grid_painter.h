@@ -1,0 +1,85 @@
+#pragma once
+#include <array>
+#include <optional>
+
+#include "gpu/graphics_pipeline.h"
+#include "grid/strut_grid.h"
+#include "render/grid_drawing.h"
+
+namespace morphgrid {
+
+/// A number for each strut of a grid in the device's memory, for shareColor().
+class StrutShares {
+ public:
+  /// shares: of a grid of vertexCount vertices. Throws DeviceError when memory runs out.
+  StrutShares(const Device& device, const StrutValues& shares);
+
+  const TexelView& texels() const { return texels_; }
+
+ private:
+  Buffer buffer_;
+  TexelView texels_;
+};
+
+enum class StrutStyle {
+  ribbons,  ///< Facing the eye, shaded like rods.
+  lines,    ///< A pixel wide.
+};
+
+/// What of a grid is drawn, and how.
+struct GridLook {
+  bool isSurface = false;  ///< The middle layer's surface instead of the struts.
+  bool isVeil = false;     ///< Of a surface: translucent.
+  std::optional<int> mostQuads;  ///< Of a surface, about; none: as surfacePush() chooses.
+  StrutStyle style = StrutStyle::ribbons;
+  int stride = 1;               ///< Of lines: they join every n-th vertex along u and v.
+  std::array<bool, 3> directions = {true, true, true};  ///< Of struts: those to +u, +v, +w.
+};
+
+/// What shaders read of a grid. Must live until the device has drawn.
+class GridResources {
+ public:
+  /// shares may be null: struts are coloured by strain then. Keeps references. Throws DeviceError
+  /// when the grid exceeds the device's limits.
+  GridResources(const Device& device, const DeviceGrid& grid, const StrutShares* shares = nullptr);
+
+ private:
+  friend class GridPainter;
+
+  ResourceSet setFor(const Device& device, const TexelView& positions) const;
+
+  const DeviceGrid& grid_;
+  bool hasShares_;
+  TexelView positions_;
+  TexelView previousPositions_;
+  TexelView rest_;
+  const TexelView* shares_;
+  vk::raii::DescriptorSetLayout layout_;
+  ResourceSet newestFirst_;
+  ResourceSet newestSecond_;
+};
+
+/// Records draws of grids, from the solver's own buffers in their newest state, into a pass.
+class GridPainter {
+ public:
+  /// Throws DeviceError when the device refuses.
+  GridPainter(const Device& device, vk::RenderPass renderPass, vk::SampleCountFlagBits samples);
+
+  /// To be called inside the pass. view: of viewOf() for this grid.
+  void draw(const vk::raii::CommandBuffer& commands, const GridResources& resources,
+            const GridLook& look, const LocalView& view) const;
+
+ private:
+  void drawStruts(const vk::raii::CommandBuffer& commands, const DeviceGrid& grid,
+                  const GraphicsPipeline& pipeline, const GridLook& look,
+                  const LocalView& view) const;
+
+  GraphicsPipeline strainRibbons_;
+  GraphicsPipeline shareRibbons_;
+  GraphicsPipeline strainLines_;
+  GraphicsPipeline shareLines_;
+  GraphicsPipeline surface_;
+  GraphicsPipeline veil_;
+};
+
+}  // namespace morphgrid

@@ -1,0 +1,17 @@
+// A line in the colour of its first strut's strain.
+#version 450
+#extension GL_GOOGLE_include_directive : require
+#include "render/strut_line.glsl"
+#include "shared/strain_color.h"
+
+layout(binding = kBindingRest) uniform isamplerBuffer restLengths;
+
+void main() {
+  int index = placeEnd();
+  ivec3 strides = ivec3(1, push.verticesU, push.verticesU * push.verticesV);
+  vec3 arm = armBetween(texelFetch(positions, index),
+                        texelFetch(positions, index + strides[push.direction]), push.resolution);
+  int rest = texelFetch(restLengths, index)[push.direction];
+  lineColor = strainColor(lengthExcess(dot(arm, arm), rest, push.restResolution) /
+                          (float(rest) * push.restResolution));
+}
