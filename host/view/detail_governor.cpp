@@ -1,0 +1,89 @@
+#include "view/detail_governor.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace morphgrid {
+namespace {
+
+// Seconds of a frame. Two of them must pass within a tenth of a second: an event that has just
+// missed one is answered by the next.
+constexpr double kLate = 0.030;
+constexpr double kWanted = 0.020;
+// Without struts, and for a strut, about: docs/performance.md. Only ratios matter once frames are
+// measured.
+constexpr double kFrameCost = 0.008;
+constexpr double kRibbonCost = 2e-6;
+constexpr double kPlainRibbonCost = 1e-6;
+constexpr double kLineCost = 0.4e-6;
+constexpr int kFewestLines = 8;  // Each way.
+constexpr int kFewestFrames = 6;  // At a level, before it is judged.
+constexpr int kManyFrames = 40;   // At a level, before a finer one is tried.
+
+double strutsDrawn(const GridShape& shape, int stride) {
+  const GridShape drawn{(shape.verticesU - 2) / stride + 2, (shape.verticesV - 2) / stride + 2,
+                        shape.layers};
+  return drawn.strutCount();
+}
+
+}  // namespace
+
+void DetailGovernor::begin(const GridShape& shape) {
+  shape_ = shape;
+  Detail detail{StrutStyle::ribbons, 4, 1};
+  while (cost(detail) > kWanted && !(coarser(detail) == detail)) {
+    detail = coarser(detail);
+  }
+  change(detail);
+}
+
+void DetailGovernor::change(const Detail& detail) {
+  detail_ = detail;
+  frames_ = 0;
+  average_ = 0;
+}
+
+double DetailGovernor::cost(const Detail& detail) const {
+  const double strut = detail.style == StrutStyle::lines ? kLineCost
+                       : detail.samples > 1              ? kRibbonCost
+                                                         : kPlainRibbonCost;
+  return kFrameCost + strut * strutsDrawn(shape_, detail.stride);
+}
+
+Detail DetailGovernor::coarser(Detail detail) const {
+  if (detail.samples > 1) {
+    return {StrutStyle::ribbons, 1, 1};
+  }
+  if (detail.style == StrutStyle::ribbons) {
+    return {StrutStyle::lines, 1, 1};
+  }
+  const int shorterSide = std::min(shape_.verticesU, shape_.verticesV) - 1;
+  if (2 * detail.stride * kFewestLines <= shorterSide) {
+    detail.stride *= 2;
+  }
+  return detail;
+}
+
+Detail DetailGovernor::finer(Detail detail) const {
+  if (detail.stride > 1) {
+    detail.stride /= 2;
+    return detail;
+  }
+  return {StrutStyle::ribbons, detail.style == StrutStyle::lines ? 1 : 4, 1};
+}
+
+void DetailGovernor::update(double frameSeconds) {
+  ++frames_;
+  average_ += (frameSeconds - average_) / std::min(frames_, kFewestFrames);
+  if (frames_ >= kFewestFrames && average_ > kLate) {
+    change(coarser(detail_));
+  } else if (frames_ >= kManyFrames) {
+    const Detail next = finer(detail_);
+    const double expected = average_ * cost(next) / cost(detail_);
+    if (!(next == detail_) && expected < kWanted) {
+      change(next);
+    }
+  }
+}
+
+}  // namespace morphgrid

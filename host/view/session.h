@@ -1,0 +1,111 @@
+#pragma once
+#include <Eigen/Geometry>
+#include <array>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "grid/strut_grid.h"
+#include "render/camera.h"
+#include "solve/device_grid.h"
+#include "solve/equilibrium.h"
+#include "surface/mesh_ray_caster.h"
+
+namespace morphgrid {
+
+/// What of a run can be looked at, in the order in which it comes to be.
+enum class ShownStage { target, sampling, initial, inPlane, stacked, warped, surface };
+constexpr std::array<const char*, 7> kStageNames = {"target",  "sampling", "initial", "in-plane",
+                                                    "stacked", "warped",   "surface"};
+
+/// A grid to draw, from the solver's own buffers.
+struct ShownGrid {
+  std::shared_ptr<const DeviceGrid> onDevice;
+  Eigen::Isometry3d worldFromGrid = Eigen::Isometry3d::Identity();  ///< To where the target lies.
+  std::shared_ptr<const StrutGrid> grid;              ///< Null for the solver's coarser grids.
+  std::shared_ptr<const Eigen::Matrix3Xd> positions;  ///< 3 x vertexCount, of a while ago.
+};
+
+/// How rays sampled a mesh.
+struct ShownSampling {
+  TriangleMesh mesh;
+  RayHits hits;
+};
+
+enum class Activity {
+  designing,
+  solving,
+  paused,
+  atRest,
+  failed,  ///< See Snapshot::problem.
+};
+
+/// A setting of the scene that the user can turn, as the scene file calls it.
+struct Knob {
+  std::string key;    ///< Dotted, e.g. "grid.layers".
+  std::string label;  ///< For people.
+  double value = 0;   ///< Of a choice: its index.
+  double low = 0;
+  double high = 1;
+  bool isInteger = false;
+  bool isLogarithmic = false;
+  std::vector<std::string> choices;  ///< Not empty: one of these.
+};
+
+/// What there is to see at a moment. It does not change; a new one takes its place.
+struct Snapshot {
+  bool has(ShownStage stage) const {
+    return stage == ShownStage::sampling ? sampling != nullptr
+                                         : stages[static_cast<std::size_t>(stage)].has_value();
+  }
+
+  std::string title;
+  std::string status;  ///< What is being done, or how it ended.
+  Activity activity = Activity::designing;
+  std::array<std::optional<ShownGrid>, kStageNames.size()> stages;  ///< But sampling.
+  std::shared_ptr<const ShownSampling> sampling;  ///< Of meshes.
+  ShownStage newest = ShownStage::target;  ///< That the run has reached.
+  std::shared_ptr<const Eigen::Matrix3Xd> targets;  ///< 3 x layerVertexCount; null without target.
+  Eigen::AlignedBox3d extent;                       ///< Of all that is shown; may be empty.
+  View view = kPatchView;                           ///< To begin with.
+  double maxShrinkage = 1;
+  std::vector<Knob> knobs;
+  std::vector<ConvergenceSample> history;  ///< Of the stage that is solved, or was last.
+  std::string figures;                     ///< The report's table.
+  std::vector<std::string> notices;
+  std::optional<std::string> problem;
+  std::string message;  ///< Of the last command: what was written where.
+  bool canUndo = false;
+  bool canRedo = false;
+  bool isOutdated = false;  ///< The scene file has changed on disk.
+  long runs = 0;            ///< Counts the designs.
+  int strutCount = 0;       ///< Of the design.
+};
+
+/// A scene that is designed and solved on a thread of its own while a window looks on. All functions
+/// return at once.
+class Session {
+ public:
+  virtual ~Session() = default;
+
+  virtual std::shared_ptr<const Snapshot> snapshot() const = 0;
+
+  /// A frame has been shown: the solver may do its next step.
+  virtual void noteFrame() = 0;
+
+  virtual void pause(bool isPaused) = 0;
+  virtual void step() = 0;
+  virtual void showEveryStep(bool isShown) = 0;
+  /// Designs and solves anew, from flat.
+  virtual void restart() = 0;
+  /// value: as in the scene file.
+  virtual void turnKnob(const std::string& key, const std::string& value) = 0;
+  virtual void undo() = 0;
+  virtual void redo() = 0;
+  virtual void reload() = 0;
+  virtual void saveScene() = 0;
+  virtual void exportFiles() = 0;
+};
+
+}  // namespace morphgrid

@@ -1,0 +1,47 @@
+#pragma once
+#include <string>
+
+#include "gpu/device.h"
+
+struct GLFWwindow;
+
+namespace morphgrid {
+
+struct WindowOptions {
+  std::string title;
+  int width = 1280;
+  int height = 720;
+};
+
+/// A window of the desktop. One at a time, used by one thread, but for wake().
+class Window {
+ public:
+  /// Throws DeviceError that says what to do when there is no display.
+  explicit Window(const WindowOptions& options);
+  ~Window();
+  Window(const Window&) = delete;
+  Window& operator=(const Window&) = delete;
+
+  GLFWwindow* handle() const { return window_; }
+  /// What a device needs to draw into windows.
+  static Presentation presentation();
+  /// Throws DeviceError when Vulkan and the window do not go together.
+  vk::raii::SurfaceKHR createSurface(const Device& device) const;
+
+  vk::Extent2D sizeInPixels() const;
+  bool isMinimised() const;
+  bool shouldClose() const;
+  void close();
+  void setTitle(const std::string& title);
+
+  /// Handles events; waits up to so many seconds for one where none is there.
+  void handleEvents(double patience);
+  /// Ends a wait for events; from any thread.
+  static void wake();
+
+ private:
+  GLFWwindow* window_ = nullptr;
+  std::string title_;
+};
+
+}  // namespace morphgrid

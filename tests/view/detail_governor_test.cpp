@@ -1,0 +1,70 @@
+#include "view/detail_governor.h"
+
+#include <gtest/gtest.h>
+
+namespace morphgrid {
+namespace {
+
+constexpr GridShape kSmall{18, 21, 3};
+constexpr GridShape kHuge{380, 440, 3};
+const Detail kFinest{StrutStyle::ribbons, 4, 1};
+
+void showFrames(DetailGovernor& governor, int count, double seconds) {
+  for (int n = 0; n < count; ++n) {
+    governor.update(seconds);
+  }
+}
+
+TEST(DetailGovernor, DrawsFewStrutsAsFineAsItCan) {
+  EXPECT_EQ(DetailGovernor(kSmall).detail(), kFinest);
+}
+
+TEST(DetailGovernor, DrawsAMillionStrutsAsFewLines) {
+  const Detail detail = DetailGovernor(kHuge).detail();
+  EXPECT_EQ(detail.style, StrutStyle::lines);
+  EXPECT_GE(detail.stride, 4);
+}
+
+TEST(DetailGovernor, KeepsALevelWhoseFramesAreInTime) {
+  DetailGovernor governor(kSmall);
+  showFrames(governor, 200, 0.02);
+  EXPECT_EQ(governor.detail(), kFinest);
+}
+
+TEST(DetailGovernor, GoesDownLevelByLevelWhereFramesAreLate) {
+  DetailGovernor governor(kSmall);
+  showFrames(governor, 6, 0.2);
+  EXPECT_EQ(governor.detail(), (Detail{StrutStyle::ribbons, 1, 1}));
+  showFrames(governor, 6, 0.2);
+  EXPECT_EQ(governor.detail(), (Detail{StrutStyle::lines, 1, 1}));
+  showFrames(governor, 100, 0.2);
+  const int coarsest = governor.detail().stride;
+  EXPECT_GT(coarsest, 1);
+  showFrames(governor, 1000, 0.2);
+  EXPECT_EQ(governor.detail().stride, coarsest) << "a few lines must remain";
+}
+
+TEST(DetailGovernor, ForgivesASingleLateFrame) {
+  DetailGovernor governor(kSmall);
+  showFrames(governor, 20, 0.01);
+  governor.update(0.1);
+  EXPECT_EQ(governor.detail(), kFinest);
+}
+
+TEST(DetailGovernor, ComesBackWhenThereIsTime) {
+  DetailGovernor governor(kSmall);
+  showFrames(governor, 40, 0.2);
+  ASSERT_EQ(governor.detail().style, StrutStyle::lines);
+  showFrames(governor, 1000, 0.002);
+  EXPECT_EQ(governor.detail(), kFinest);
+}
+
+TEST(DetailGovernor, DoesNotTryALevelThatWouldBeLate) {
+  DetailGovernor governor(kHuge);
+  const Detail before = governor.detail();
+  showFrames(governor, 1000, 0.018);
+  EXPECT_EQ(governor.detail(), before);
+}
+
+}  // namespace
+}  // namespace morphgrid

@@ -1,0 +1,148 @@
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <signal.h>
+
+#include <fstream>
+
+#include "tests/render/pixels.h"
+#include "tests/support/folders.h"
+#include "tests/view/desktop.h"
+
+namespace morphgrid {
+namespace {
+
+using testing::HasSubstr;
+
+constexpr const char* kScene = R"(
+title = "Dome"
+[surface]
+kind = "bend_angles"
+theta_u = [0.2, 0.2]
+theta_v = [0.2, 0.2]
+spacing = 1.0
+[grid]
+layers = 3
+layer_spacing = 0.2
+nodes_u = 8
+nodes_v = 8
+max_shrinkage = 0.5
+)";
+
+// Devices and fonts differ in the pixels along edges, and runs in the seconds that are told.
+constexpr double kLargestMeanDifference = 2;
+
+/// The program in a window of a desktop of its own, under the validation layers: any message of
+/// theirs is exit code 4.
+class ViewerWindow : public testing::Test {
+ protected:
+  std::unique_ptr<BackgroundProgram> start(const std::vector<std::string>& more = {}) {
+    const std::filesystem::path scene = desktop_.folder().write("dome.toml", kScene);
+    std::vector<std::string> command = {binaryFolder() / "morphgrid", "view", scene, "--validate",
+                                        "--out", desktop_.folder() / "out"};
+    command.insert(command.end(), more.begin(), more.end());
+    return std::make_unique<BackgroundProgram>(
+        command, std::vector<std::string>{"DISPLAY=" + desktop_.display()},
+        desktop_.folder() / "viewer.log");
+  }
+
+  void expectQuit(BackgroundProgram& viewer) {
+    desktop_.press("ctrl+q");
+    EXPECT_EQ(viewer.exitCode(), 0) << viewer.output();
+  }
+
+  /// Gives the keyboard to the window with this title: no window manager does.
+  void focus(const std::string& title) {
+    const std::string id = desktop_.awaitWindow(title);
+    ASSERT_NE(id, "") << title;
+    desktop_.run("xdotool windowfocus --sync " + id);
+  }
+
+  void expectGolden(const std::string& name) {
+    const std::filesystem::path shot = desktop_.screenshot(name);
+    const std::filesystem::path golden = sourceFolder() / "tests/golden" / (name + ".png");
+    const std::filesystem::path actual = binaryFolder() / (name + "_actual.png");
+    if (std::filesystem::exists(golden)) {
+      const Image a = readPng(shot.string());
+      const Image b = readPng(golden.string());
+      if (a.width == b.width && a.height == b.height &&
+          differenceOf(a, b).mean <= kLargestMeanDifference) {
+        return;
+      }
+    }
+    std::filesystem::copy_file(shot, actual, std::filesystem::copy_options::overwrite_existing);
+    ADD_FAILURE() << "the window looks otherwise; look at " << actual
+                  << "; if this is how it should look, copy it to " << golden;
+  }
+
+  Desktop desktop_;
+};
+
+TEST_F(ViewerWindow, StepsThroughTheStagesByKeys) {
+  const auto viewer = start();
+  focus("^Dome, warped: at rest");
+  for (const auto& [key, stage] :
+       {std::pair("3", "initial"), {"4", "in-plane"}, {"5", "stacked"}, {"7", "surface"}}) {
+    desktop_.press(key);
+    EXPECT_NE(desktop_.awaitWindow(fmt::format("^Dome, {}:", stage)), "") << stage;
+  }
+  desktop_.press("1");  // There is no target: nothing changes.
+  desktop_.press("6");
+  EXPECT_NE(desktop_.awaitWindow("^Dome, warped:"), "");
+  expectGolden("viewer_window");
+  expectQuit(*viewer);
+}
+
+TEST_F(ViewerWindow, TurnsAKnobSavesTheSceneAndUndoes) {
+  const auto viewer = start();
+  focus("^Dome, warped: at rest");
+  desktop_.click(190, 378);  // The "+" of the layers.
+  desktop_.awaitWindow("^Dome, (in-plane|warped): (in plane|full)");
+  EXPECT_NE(desktop_.awaitWindow("^Dome, warped: at rest"), "");
+  desktop_.press("ctrl+s");
+  desktop_.press("ctrl+e");
+  desktop_.press("ctrl+z");
+  desktop_.awaitWindow("^Dome, (in-plane|warped): (in plane|full)");
+  EXPECT_NE(desktop_.awaitWindow("^Dome, warped: at rest"), "");
+  expectQuit(*viewer);
+  std::ostringstream saved;
+  saved << std::ifstream(desktop_.folder() / "dome_edited.toml").rdbuf();
+  EXPECT_THAT(saved.str(), HasSubstr("layers = 4"));
+}
+
+TEST_F(ViewerWindow, ClosesWhileItSolves) {
+  const auto viewer = start({"--set", "grid.nodes_u=60", "--set", "grid.nodes_v=60"});
+  focus("^Dome, .*: (in plane|full)");
+  expectQuit(*viewer);
+}
+
+TEST_F(ViewerWindow, FollowsItsSize) {
+  const auto viewer = start();
+  focus("^Dome, warped: at rest");
+  for (const char* size : {"500 300", "1 1", "1200 700", "80 600"}) {
+    desktop_.run(fmt::format("xdotool search --name '^Dome' windowsize --sync {}", size));
+  }
+  for (const char* how : {"windowunmap", "windowmap"}) {
+    desktop_.run(fmt::format("xdotool search --name '^Dome' {} --sync", how));
+  }
+  focus("^Dome");
+  expectQuit(*viewer);
+}
+
+TEST_F(ViewerWindow, ACtrlCInTheTerminalClosesIt) {
+  const auto viewer = start();
+  focus("^Dome, warped: at rest");
+  viewer->signal(SIGINT);
+  EXPECT_EQ(viewer->exitCode(), 130) << viewer->output();
+}
+
+TEST_F(ViewerWindow, WithoutADisplaySaysWhatToDo) {
+  const std::filesystem::path scene = desktop_.folder().write("dome.toml", kScene);
+  BackgroundProgram viewer({binaryFolder() / "morphgrid", "view", scene}, {"DISPLAY="},
+                           desktop_.folder() / "viewer.log");
+  EXPECT_EQ(viewer.exitCode(), 4);
+  EXPECT_THAT(viewer.output(), HasSubstr("`morphgrid run`"));
+}
+
+}  // namespace
+}  // namespace morphgrid
