@@ -7,10 +7,12 @@
 #include <CLI/CLI.hpp>
 
 #include "app/figures.h"
+#include "app/live_run.h"
 #include "app/pipeline.h"
 #include "core/error.h"
 #include "core/interrupt.h"
 #include "report/report_files.h"
+#include "view/viewer.h"
 
 namespace morphgrid {
 namespace {
@@ -31,6 +33,7 @@ Examples:
   morphgrid run scenes/face.toml --set grid.nodes_long=600 --resume face.checkpoint
   morphgrid check scenes/patch.toml --set grid.layer_spacing=30
   morphgrid figures scenes/egg_chair.toml --animation egg_chair.webp
+  morphgrid view scenes/egg_chair.toml
   morphgrid devices
 
 Exit codes: 0 converged, 2 bad input, 3 not converged (results written),
@@ -48,7 +51,13 @@ struct Arguments {
   std::filesystem::path resumeFrom;
   std::filesystem::path sheet;
   FilmOptions film;
+  std::optional<double> statisticsSeconds;
 };
+
+std::filesystem::path outputFolderOf(const Arguments& arguments, const Scene& scene) {
+  return arguments.outputFolder.empty() ? std::filesystem::path("out") / scene.name
+                                        : arguments.outputFolder;
+}
 
 void logNotices(const RunRecord& record) {
   for (const std::string& notice : record.notices) {
@@ -100,8 +109,7 @@ void tellFailure(const RunRecord& record, const std::filesystem::path& folder,
 int run(const Arguments& arguments) {
   Scene scene = loadScene(arguments.scene, arguments.overrides);
   scene.smallestEigenvalue |= arguments.smallestEigenvalue;
-  const auto folder = arguments.outputFolder.empty() ? std::filesystem::path("out") / scene.name
-                                                     : arguments.outputFolder;
+  const auto folder = outputFolderOf(arguments, scene);
   installInterruptHandler();
   const RunRecord record = runScene(scene, {folder, arguments.device, arguments.quiet,
                                             arguments.checkpoint, arguments.resumeFrom});
@@ -133,6 +141,26 @@ int figures(const Arguments& arguments) {
   }
   const int exitCode = interruptRequested() ? kInterrupted : conclude(record.run);
   return exitCode == kConverged && !record.morphConverged ? kNotConverged : exitCode;
+}
+
+int view(const Arguments& arguments) {
+  // What is wrong with the scene is told here rather than in a window.
+  const Scene scene = loadScene(arguments.scene, arguments.overrides);
+  const auto folder = outputFolderOf(arguments, scene);
+  Window window({.title = scene.title});
+  DeviceOptions options = arguments.device;
+  options.presentation = Window::presentation();
+  Stagehands hands;
+  hands.device = std::make_shared<Device>(options);
+  installInterruptHandler();
+  {
+    LiveRun session(hands.device, {arguments.scene, arguments.overrides, folder, Window::wake});
+    runViewer(*hands.device, window, session,
+              {.pictureFile = scene.name + "_view.png",
+               .statisticsSeconds = arguments.statisticsSeconds});
+  }
+  hands.requireSilence();
+  return interruptRequested() ? kInterrupted : kConverged;
 }
 
 int printDevices() {
@@ -173,6 +201,21 @@ CLI::App* addFiguresCommand(CLI::App& app, Arguments& arguments) {
       ->check(CLI::Range(2, FilmOptions::kMostFrames));
   addDeviceArguments(*command, arguments);
   command->add_flag("--quiet", arguments.quiet, "print errors only");
+  return command;
+}
+
+CLI::App* addViewCommand(CLI::App& app, Arguments& arguments) {
+  CLI::App* command = app.add_subcommand(
+      "view", "watch a scene being designed and solved in a window, and turn its knobs");
+  addSceneArguments(*command, arguments);
+  command->add_option("--out", arguments.outputFolder, "folder of exported files [out/SCENE]");
+  addDeviceArguments(*command, arguments);
+  command
+      ->add_option("--statistics", arguments.statisticsSeconds,
+                   "turn the scene and solve it again and again for so many seconds, print how "
+                   "smoothly that went, and close")
+      ->type_name("SECONDS")
+      ->check(CLI::PositiveNumber);
   return command;
 }
 
@@ -232,6 +275,7 @@ int runCommandLine(int argc, char** argv) {
       app.add_subcommand("check", "read, measure and design; print the table, solve nothing");
   addSceneArguments(*checkCommand, arguments);
   CLI::App* figuresCommand = addFiguresCommand(app, arguments);
+  CLI::App* viewCommand = addViewCommand(app, arguments);
   CLI::App* devicesCommand = app.add_subcommand("devices", "list the Vulkan devices");
 
   try {
@@ -242,6 +286,9 @@ int runCommandLine(int argc, char** argv) {
   return guarded([&] {
     if (devicesCommand->parsed()) {
       return printDevices();
+    }
+    if (viewCommand->parsed()) {
+      return view(arguments);
     }
     if (figuresCommand->parsed()) {
       return figures(arguments);

@@ -28,26 +28,6 @@ void createFolder(const std::filesystem::path& folder) {
   }
 }
 
-void exportFiles(const Stage& stage, const Eigen::Isometry3d& targetFromGrid,
-                 const FileChoices& choices, const std::filesystem::path& folder) {
-  const GridShape& shape = stage.grid.shape;
-  const Eigen::Matrix3Xd positions = targetFromGrid * stage.equilibrium.positions;
-  const SurfaceMesh surface = tessellate(shape.verticesU, shape.verticesV,
-                                         middleLayer(shape, positions), kSurfaceRefinement);
-  if (choices.gltf) {
-    exportGltf(folder / "warped.glb", stage.grid, positions, surface);
-  }
-  if (choices.vtu) {
-    exportVtu(folder / "warped.vtu", stage.grid, positions);
-  }
-  if (choices.ply) {
-    exportPly(folder / "surface.ply", surface);
-  }
-  if (choices.obj) {
-    exportObj(folder / "surface.obj", surface);
-  }
-}
-
 void writePicture(const std::filesystem::path& path, const Panel& panel, PictureOptions options) {
   options.caption = panel.caption;
   options.legend = panel.legend;
@@ -71,6 +51,26 @@ CheckpointKeeper checkpointKeeper(const Scene& scene, const GridDesign& design,
 }
 
 }  // namespace
+
+void exportFiles(const Stage& stage, const Eigen::Isometry3d& targetFromGrid,
+                 const FileChoices& choices, const std::filesystem::path& folder) {
+  const GridShape& shape = stage.grid.shape;
+  const Eigen::Matrix3Xd positions = targetFromGrid * stage.equilibrium.positions;
+  const SurfaceMesh surface = tessellate(shape.verticesU, shape.verticesV,
+                                         middleLayer(shape, positions), kSurfaceRefinement);
+  if (choices.gltf) {
+    exportGltf(folder / "warped.glb", stage.grid, positions, surface);
+  }
+  if (choices.vtu) {
+    exportVtu(folder / "warped.vtu", stage.grid, positions);
+  }
+  if (choices.ply) {
+    exportPly(folder / "surface.ply", surface);
+  }
+  if (choices.obj) {
+    exportObj(folder / "surface.obj", surface);
+  }
+}
 
 RunRecord checkScene(const Scene& scene) { return recordOf(scene, designScene(scene)); }
 

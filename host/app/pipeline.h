@@ -2,7 +2,7 @@
 #include <filesystem>
 
 #include "app/checkpoint_keeper.h"
-#include "app/scene.h"
+#include "app/stages.h"
 #include "gpu/device.h"
 
 namespace morphgrid {
@@ -14,6 +14,10 @@ struct RunOptions {
   CheckpointOptions checkpoint;
   std::filesystem::path resumeFrom;  ///< A checkpoint; empty: the run starts anew.
 };
+
+/// Writes the chosen files of a result into a folder. Throws InputError when the disk refuses.
+void exportFiles(const Stage& stage, const Eigen::Isometry3d& targetFromGrid,
+                 const FileChoices& choices, const std::filesystem::path& folder);
 
 /// Reads nothing, solves nothing: measures and designs.
 RunRecord checkScene(const Scene& scene);

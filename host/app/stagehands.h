@@ -9,12 +9,19 @@
 
 namespace morphgrid {
 
+struct Stage;
+
 /// The device and the pictures of a run; a run on the CPU without pictures needs neither. Once the
 /// device has failed, it is left alone.
 struct Stagehands {
-  std::unique_ptr<Device> device;
+  std::shared_ptr<Device> device;
   std::unique_ptr<Pictures> pictures;
   std::optional<std::string> failure;  ///< What the device said when it failed.
+  /// Told of each stage before it is solved; may be empty.
+  std::function<void(const Stage&)> onStage;
+  /// Multigrid starts a stage of as many vertices from here: where a like scene's came to rest. 3 x
+  /// vertexCount, in the plane and in space.
+  Eigen::Matrix3Xd nearInPlane, nearFull;
 
   /// Does what the device may fail at.
   template <typename Work>

@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "app/progress_line.h"
-#include "core/interrupt.h"
 #include "inverse/print_scale.h"
 #include "solve/energy.h"
 #include "solve/jacobi_solver.h"
@@ -19,7 +18,10 @@ Stage Stages::prepare(StrutGrid grid) {
   Stage stage{std::move(grid), nullptr, {}};
   if (hands_.device) {
     hands_.attempt(
-        [&] { stage.onDevice = std::make_unique<DeviceGrid>(*hands_.device, stage.grid); });
+        [&] { stage.onDevice = std::make_shared<DeviceGrid>(*hands_.device, stage.grid); });
+  }
+  if (hands_.onStage) {
+    hands_.onStage(stage);
   }
   return stage;
 }
@@ -62,7 +64,7 @@ Equilibrium Stages::lastKnown(const StrutGrid& grid) const {
   return result;
 }
 
-void Stages::solve(Stage& stage, const char* name) {
+void Stages::solve(Stage& stage, const char* name, const Eigen::Matrix3Xd& near) {
   ProgressLine progress(name, scene_.solve.tolerance);
   SolveOptions options = scene_.solve;
   if (!quiet_) {
@@ -70,6 +72,11 @@ void Stages::solve(Stage& stage, const char* name) {
   }
   options.onCheckpoint = [&](SolveCheckpoint checkpoint) { keeper_.keep(std::move(checkpoint)); };
   options.resumeFrom = keeper_.latest();
+  if (scene_.method == Method::multigrid && stage.onDevice &&
+      near.cols() == stage.grid.shape.vertexCount()) {
+    hands_.attempt([&] { stage.onDevice->uploadPositions(near); });
+    options.startsNear = true;
+  }
   auto result = solveByMethod(stage, options);
   stage.equilibrium = result ? std::move(*result) : lastKnown(stage.grid);
   keeper_.endSolve(stage.equilibrium);
@@ -77,7 +84,7 @@ void Stages::solve(Stage& stage, const char* name) {
 
 /// On request: is the equilibrium a minimum?
 void Stages::judge(Stage& stage, Motions motions) {
-  if (!scene_.smallestEigenvalue || interruptRequested()) {
+  if (!scene_.smallestEigenvalue || scene_.solve.stopRequested()) {
     return;
   }
   const auto judgeBy = [&](const Preconditioner& preconditioner) {
@@ -94,7 +101,7 @@ void Stages::judge(Stage& stage, Motions motions) {
 std::optional<InverseDesign> Stages::improve(Stage& stage, const Eigen::Matrix3Xd& targets) {
   const DesignRequest& request = scene_.design;
   const int stepCount = request.compensateRounds + request.optimiseSteps;
-  if ((stepCount == 0 && !request.enforceShrinkage) || interruptRequested() || !stage.onDevice) {
+  if ((stepCount == 0 && !request.enforceShrinkage) || scene_.solve.stopRequested() || !stage.onDevice) {
     return std::nullopt;
   }
   ProgressLine progress("inverse design", scene_.solve.tolerance);
@@ -132,7 +139,7 @@ Stage Stages::runInPlane(const GridDesign& design) {
   if (keeper_.inPlane()) {
     stage.equilibrium = *keeper_.inPlane();
   } else {
-    solve(stage, "in plane");
+    solve(stage, "in plane", hands_.nearInPlane);
     keeper_.beginFullStage(stage.equilibrium);
   }
   showOnDevice(stage);
@@ -160,7 +167,7 @@ Stage Stages::runFull(const GridDesign& design, const Eigen::Matrix3Xd& printedL
     pictures.drawFlat("stacked", "stacked: all layers, before the morph", *stage.onDevice,
                       stage.grid.positions);
   });
-  solve(stage, "full");
+  solve(stage, "full", hands_.nearFull);
   showOnDevice(stage);
   judge(stage, Motions::inSpace);
   return stage;

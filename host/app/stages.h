@@ -9,7 +9,7 @@ namespace morphgrid {
 /// A grid on its way to equilibrium, with its copy on the device.
 struct Stage {
   StrutGrid grid;
-  std::unique_ptr<DeviceGrid> onDevice;  ///< None in runs on the CPU, or when it did not fit.
+  std::shared_ptr<DeviceGrid> onDevice;  ///< None in runs on the CPU, or when it did not fit.
   Equilibrium equilibrium;
   double printScale = 1;  ///< Of the flat sheet, see choosePrintScale().
 };
@@ -32,7 +32,7 @@ class Stages {
 
  private:
   Stage prepare(StrutGrid grid);
-  void solve(Stage& stage, const char* name);
+  void solve(Stage& stage, const char* name, const Eigen::Matrix3Xd& near);
   std::optional<Equilibrium> solveByMethod(const Stage& stage, const SolveOptions& options);
   void showOnDevice(const Stage& stage);
   void judge(Stage& stage, Motions motions);

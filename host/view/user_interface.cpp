@@ -62,15 +62,9 @@ void loadFont() {
   static const ImWchar ranges[] = {0x0020, 0x00FF, 0x0370, 0x03FF, 0x2010, 0x2044,
                                    0x2190, 0x21FF, 0x2212, 0x2212, 0};
   ImFontAtlas& fonts = *ImGui::GetIO().Fonts;
-  const std::filesystem::path sans = Font::findSansFile();
-  fonts.AddFontFromFileTTF(sans.c_str(), kTextSize, &config, ranges);
+  fonts.AddFontFromFileTTF(Font::sansFile().c_str(), kTextSize, &config, ranges);
   // The last font is for tables.
-  const std::filesystem::path mono = sans.parent_path() / "DejaVuSansMono.ttf";
-  if (std::filesystem::exists(mono)) {
-    fonts.AddFontFromFileTTF(mono.c_str(), kTableSize, &config, ranges);
-  } else {
-    fonts.AddFontDefault();
-  }
+  fonts.AddFontFromFileTTF(Font::monoFile().c_str(), kTableSize, &config, ranges);
 }
 
 void uploadFont(const Device& device) {
