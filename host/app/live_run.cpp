@@ -45,9 +45,8 @@ Eigen::Matrix3Xd resampled(const Eigen::Matrix3Xd& points, const GridShape& from
   };
   for (int j = 0; j < to.verticesV; ++j) {
     for (int i = 0; i < to.verticesU; ++i) {
-      result.col(to.index(i, j, 0)) =
-          points.col(from.index(nearest(i, to.verticesU, from.verticesU),
-                                nearest(j, to.verticesV, from.verticesV), 0));
+      result.col(to.index(i, j, 0)) = points.col(from.index(
+          nearest(i, to.verticesU, from.verticesU), nearest(j, to.verticesV, from.verticesV), 0));
     }
   }
   return result;
@@ -281,8 +280,8 @@ void LiveRun::design(const Scene& scene, const SceneDesign& designed) {
   std::optional<ShownGrid> target;
   if (designed.targets) {
     target.emplace();
-    target->grid = std::make_shared<StrutGrid>(
-        targetGrid(shape, designed.design.spacing, *designed.targets));
+    target->grid =
+        std::make_shared<StrutGrid>(targetGrid(shape, designed.design.spacing, *designed.targets));
     target->onDevice = std::make_shared<DeviceGrid>(*device_, *target->grid);
     target->positions = std::make_shared<Eigen::Matrix3Xd>(*designed.targets);
     reference_ = target->positions;
@@ -292,8 +291,8 @@ void LiveRun::design(const Scene& scene, const SceneDesign& designed) {
   }
   std::shared_ptr<const ShownSampling> sampling;
   if (designed.sampling) {
-    sampling = std::make_shared<ShownSampling>(
-        ShownSampling{scene.mesh->mesh, designed.sampling->hits});
+    sampling =
+        std::make_shared<ShownSampling>(ShownSampling{scene.mesh->mesh, designed.sampling->hits});
   }
   publish([&](Snapshot& next) {
     next.title = scene.title;

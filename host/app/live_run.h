@@ -79,8 +79,9 @@ class LiveRun final : public Session {
   // The worker's own.
   std::filesystem::file_time_type fileTime_;
   int preparedStages_ = 0;
-  ShownGrid live_;                    ///< What is solved.
-  std::shared_ptr<const Eigen::Matrix3Xd> reference_;  ///< Of its middle layer: where it should lie.
+  ShownGrid live_;  ///< What is solved.
+  std::shared_ptr<const Eigen::Matrix3Xd>
+      reference_;  ///< Of its middle layer: where it should lie.
   GridShape referenceShape_{};
   bool hasPositions_ = true;  ///< Whether the device's positions are those of the solve.
   Eigen::Matrix3Xd lastInPlane_, lastFull_;

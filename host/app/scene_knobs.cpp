@@ -58,9 +58,9 @@ std::vector<Knob> knobsOf(const Scene& scene) {
   knobs.push_back(scaleSlider("weights.lateral", "weight lateral", scene.weights.lateral));
   knobs.push_back(scaleSlider("weights.vertical", "weight vertical", scene.weights.vertical));
   knobs.push_back(slider("weights.angle", "weight angle", scene.weights.angle, 0, 10));
-  knobs.push_back(choice("solver.method", "method", nameOf(scene.method),
-                         {nameOf(Method::multigrid), nameOf(Method::jacobi),
-                          nameOf(Method::reference)}));
+  knobs.push_back(
+      choice("solver.method", "method", nameOf(scene.method),
+             {nameOf(Method::multigrid), nameOf(Method::jacobi), nameOf(Method::reference)}));
   Knob tolerance = slider("solver.tolerance", "tolerance", scene.solve.tolerance, 1e-10, 1e-3);
   tolerance.isLogarithmic = true;
   knobs.push_back(std::move(tolerance));

@@ -101,7 +101,8 @@ void Stages::judge(Stage& stage, Motions motions) {
 std::optional<InverseDesign> Stages::improve(Stage& stage, const Eigen::Matrix3Xd& targets) {
   const DesignRequest& request = scene_.design;
   const int stepCount = request.compensateRounds + request.optimiseSteps;
-  if ((stepCount == 0 && !request.enforceShrinkage) || scene_.solve.stopRequested() || !stage.onDevice) {
+  if ((stepCount == 0 && !request.enforceShrinkage) || scene_.solve.stopRequested() ||
+      !stage.onDevice) {
     return std::nullopt;
   }
   ProgressLine progress("inverse design", scene_.solve.tolerance);

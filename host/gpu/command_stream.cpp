@@ -72,7 +72,7 @@ void CommandStream::dispatchBytes(const ComputeKernel& kernel, const void* push,
   count(kWorkOfCall + static_cast<long>(groupsX) * groupsY * groupsZ);
   commands().bindPipeline(vk::PipelineBindPoint::eCompute, kernel.pipeline());
   commands().bindDescriptorSets(vk::PipelineBindPoint::eCompute, kernel.layout(), 0,
-                               kernel.descriptorSet(), {});
+                                kernel.descriptorSet(), {});
   if (pushBytes > 0) {
     commands().pushConstants<std::byte>(
         kernel.layout(), vk::ShaderStageFlagBits::eCompute, 0,
@@ -93,8 +93,8 @@ void CommandStream::end() {
   using Stage = vk::PipelineStageFlagBits;
   using Access = vk::AccessFlagBits;
   const vk::MemoryBarrier barrier(Access::eShaderWrite | Access::eTransferWrite, Access::eHostRead);
-  commands().pipelineBarrier(Stage::eComputeShader | Stage::eTransfer, Stage::eHost, {}, barrier, {},
-                            {});
+  commands().pipelineBarrier(Stage::eComputeShader | Stage::eTransfer, Stage::eHost, {}, barrier,
+                             {}, {});
   commands().end();
 }
 

@@ -55,8 +55,8 @@ std::vector<vk::AttachmentDescription> attachmentsOf(const DrawPassOptions& opti
       attachmentOf(depthFormat, samples, Load::eClear, Store::eDontCare,
                    Layout::eDepthStencilAttachmentOptimal)};
   if (resolve) {
-    attachments.push_back(attachmentOf(options.format, vk::SampleCountFlagBits::e1,
-                                       Load::eDontCare, Store::eStore, options.finalLayout));
+    attachments.push_back(attachmentOf(options.format, vk::SampleCountFlagBits::e1, Load::eDontCare,
+                                       Store::eStore, options.finalLayout));
   }
   return attachments;
 }
@@ -124,8 +124,8 @@ Canvas::Canvas(const Device& device, const DrawPass& pass, std::uint32_t width,
     if (multisampled_) {
       views = {multisampled_->view(), depth_.view(), image};
     }
-    framebuffers_.emplace_back(device.handle(), vk::FramebufferCreateInfo({}, pass.renderPass(),
-                                                                          views, width, height, 1));
+    framebuffers_.emplace_back(
+        device.handle(), vk::FramebufferCreateInfo({}, pass.renderPass(), views, width, height, 1));
   }
 }
 

@@ -13,8 +13,8 @@ struct DrawPassOptions {
   vk::ImageLayout finalLayout;  ///< Of these images.
 };
 
-/// How pictures are drawn: on white, with a depth test. Shaders see all that was written before, and
-/// what is written later waits for them.
+/// How pictures are drawn: on white, with a depth test. Shaders see all that was written before,
+/// and what is written later waits for them.
 class DrawPass {
  public:
   /// Throws DeviceError when the device refuses.
@@ -35,8 +35,8 @@ class DrawPass {
 /// Images of one size to draw into by a pass, with what it needs beside them.
 class Canvas {
  public:
-  /// width, height > 0, in pixels; images: of this size and the pass's format; they and the pass must outlive it.
-  /// Throws DeviceError when the device cannot draw such an image.
+  /// width, height > 0, in pixels; images: of this size and the pass's format; they and the pass
+  /// must outlive it. Throws DeviceError when the device cannot draw such an image.
   Canvas(const Device& device, const DrawPass& pass, std::uint32_t width, std::uint32_t height,
          const std::vector<vk::ImageView>& images);
 

@@ -67,8 +67,7 @@ GraphicsPipeline::GraphicsPipeline(const Device& device, const ShaderPair& shade
     const vk::PushConstantRange push(kPushStages, 0, pushConstantBytes);
     layout_ = vk::raii::PipelineLayout(device.handle(),
                                        vk::PipelineLayoutCreateInfo({}, *setLayout_, push));
-    pipeline_ = createPipeline(device, shaders, *layout_, renderPass, samples, blending,
-                               primitive);
+    pipeline_ = createPipeline(device, shaders, *layout_, renderPass, samples, blending, primitive);
   } catch (const vk::SystemError& error) {
     throw DeviceError(
         fmt::format("device {} cannot build a graphics pipeline: {}", device.name(), error.what()));

@@ -17,9 +17,9 @@ enum class Blending {
 
 enum class Primitive { triangles, lines };
 
-/// Draws triangles, front and back, or lines of a pixel's width, with a depth test. There are no vertex attributes: the vertex
-/// shader makes everything from gl_VertexIndex and its resources. Push constants reach both
-/// shaders.
+/// Draws triangles, front and back, or lines of a pixel's width, with a depth test. There are no
+/// vertex attributes: the vertex shader makes everything from gl_VertexIndex and its resources.
+/// Push constants reach both shaders.
 class GraphicsPipeline {
  public:
   /// slots: what the vertex shader reads. Throws DeviceError when the device refuses.

@@ -11,7 +11,8 @@ class MemoryUse {
   /// Counts them for as long as the result lives. *this must outlive it.
   std::shared_ptr<const void> hold(std::uint64_t bytes) {
     const std::uint64_t current = current_ += bytes;
-    for (std::uint64_t peak = peak_; peak < current && !peak_.compare_exchange_weak(peak, current);) {
+    for (std::uint64_t peak = peak_;
+         peak < current && !peak_.compare_exchange_weak(peak, current);) {
     }
     return {this, [bytes](MemoryUse* use) { use->current_ -= bytes; }};
   }

@@ -18,7 +18,8 @@ constexpr std::uint64_t kPatience = 1'000'000'000;  // ns, for an image: some sc
 vk::SurfaceFormatKHR chooseFormat(const Device& device, vk::SurfaceKHR surface) {
   const auto formats = device.physical().getSurfaceFormatsKHR(surface);
   for (const vk::SurfaceFormatKHR& format : formats) {
-    if (format.format == vk::Format::eB8G8R8A8Unorm || format.format == vk::Format::eR8G8B8A8Unorm) {
+    if (format.format == vk::Format::eB8G8R8A8Unorm ||
+        format.format == vk::Format::eR8G8B8A8Unorm) {
       return format;
     }
   }
@@ -45,8 +46,8 @@ Presenter::Presenter(const Device& device, vk::raii::SurfaceKHR surface)
                                                  device.queueFamily()));
   const vk::CommandBufferAllocateInfo one(*pool_, vk::CommandBufferLevel::ePrimary, 1);
   commands_ = std::move(vk::raii::CommandBuffers(device.handle(), one).front());
-  drawn_ = vk::raii::Fence(device.handle(),
-                           vk::FenceCreateInfo(vk::FenceCreateFlagBits::eSignaled));
+  drawn_ =
+      vk::raii::Fence(device.handle(), vk::FenceCreateInfo(vk::FenceCreateFlagBits::eSignaled));
   acquired_ = vk::raii::Semaphore(device.handle(), vk::SemaphoreCreateInfo());
 }
 

@@ -25,8 +25,8 @@ class Presenter {
   /// Waits until the last picture has been drawn.
   void waitForLast();
 
-  /// Makes a swapchain for a window of this size, in pixels, unless it is there. False when there is
-  /// nothing to draw on: a window that is minimised.
+  /// Makes a swapchain for a window of this size, in pixels, unless it is there. False when there
+  /// is nothing to draw on: a window that is minimised.
   bool prepare(vk::Extent2D windowSize);
 
   /// Draws and shows a picture: record() gets the image's index in views(); it leaves the image in

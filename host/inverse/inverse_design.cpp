@@ -161,7 +161,8 @@ InverseDesigner::State InverseDesigner::morphed(const VectorXd& rest, double ene
 }
 
 void InverseDesigner::compensate() {
-  for (int round = 1; round <= options_.compensateRounds && !options_.solve.stopRequested(); ++round) {
+  for (int round = 1; round <= options_.compensateRounds && !options_.solve.stopRequested();
+       ++round) {
     const VectorXd lengths = lateral_.lengthsAt(state_.equilibrium.positions);
     const VectorXd rest = state_.rest.cwiseProduct(designed_).cwiseQuotient(lengths);
     State next = morphed(lbfgs_.project(rest), kEnergyTolerance);

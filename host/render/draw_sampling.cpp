@@ -136,13 +136,13 @@ SamplingDrawing::SamplingDrawing(const Device& device, const TriangleMesh& mesh,
                  renderPass, samples) {}
 
 SamplingDrawing::Layer::Layer(const Device& device, const ShaderPair& shaders,
-                              const std::vector<KernelResource>& buffers,
-                              vk::RenderPass renderPass, vk::SampleCountFlagBits samples)
+                              const std::vector<KernelResource>& buffers, vk::RenderPass renderPass,
+                              vk::SampleCountFlagBits samples)
     : pipeline(device, shaders, slotsOf(buffers), sizeof(SamplingPush), renderPass, samples),
       resources(device, pipeline.setLayout(), buffers) {}
 
-void SamplingDrawing::Layer::draw(const vk::raii::CommandBuffer& commands,
-                                  const SamplingPush& push, Eigen::Index vertexCount) const {
+void SamplingDrawing::Layer::draw(const vk::raii::CommandBuffer& commands, const SamplingPush& push,
+                                  Eigen::Index vertexCount) const {
   pipeline.bind(commands, resources);
   pipeline.draw(commands, push, static_cast<uint>(vertexCount));
 }

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kStrutHalfWidth = 0.042;    // Spacings.
 constexpr double kLargestHalfWidth = 0.012;  // Of the grid's longer side: few cells stay slender.
-constexpr int kSmoothQuads = 30000;  // The surface is refined up to about this many.
+constexpr int kSmoothQuads = 30000;          // The surface is refined up to about this many.
 constexpr int kFinestRefinement = 16;
 constexpr int kMostIsolines = 50;  // Along u, and along v.
 
@@ -92,8 +92,8 @@ SurfacePush surfacePush(const DeviceGrid& grid, const LocalView& view,
   push.eye = view.eye;
   push.resolution = static_cast<float>(grid.resolution());
   push.towardsLight = view.towardsLight;
-  push.stride = mostQuads ? static_cast<int>(std::ceil(std::sqrt(cellCount(shape) / *mostQuads)))
-                          : 1;
+  push.stride =
+      mostQuads ? static_cast<int>(std::ceil(std::sqrt(cellCount(shape) / *mostQuads))) : 1;
   push.verticesU = shape.verticesU;
   push.verticesV = shape.verticesV;
   push.drawnU = drawnCount(shape.verticesU, push.stride);

@@ -25,15 +25,17 @@ std::vector<ResourceSlot> paintedSlots() {
 GraphicsPipeline strutPainter(const Device& device, const ShaderPair& shaders,
                               vk::RenderPass renderPass, vk::SampleCountFlagBits samples,
                               Primitive primitive) {
-  return {device,  shaders,          paintedSlots(), sizeof(StrutPush), renderPass,
-          samples, Blending::opaque, primitive};
+  return {device,     shaders, paintedSlots(),   sizeof(StrutPush),
+          renderPass, samples, Blending::opaque, primitive};
 }
 
 GraphicsPipeline surfacePainter(const Device& device, ShaderCode fragment,
                                 vk::RenderPass renderPass, vk::SampleCountFlagBits samples,
                                 Blending blending) {
-  return {device,     {surface_vert_spirv, fragment}, paintedSlots(), sizeof(SurfacePush),
-          renderPass, samples,                        blending};
+  return {device,         {surface_vert_spirv, fragment},
+          paintedSlots(), sizeof(SurfacePush),
+          renderPass,     samples,
+          blending};
 }
 
 /// A column a vertex: the shares of its struts to +u, +v and +w, and nothing.
@@ -71,7 +73,8 @@ GridResources::GridResources(const Device& device, const DeviceGrid& grid,
       newestSecond_(setFor(device, previousPositions_)) {}
 
 ResourceSet GridResources::setFor(const Device& device, const TexelView& positions) const {
-  return {device, *layout_,
+  return {device,
+          *layout_,
           {{kBindingPositions, &positions}, {kBindingRest, &rest_}, {kBindingShares, shares_}}};
 }
 
@@ -92,8 +95,7 @@ GridPainter::GridPainter(const Device& device, vk::RenderPass renderPass,
 void GridPainter::draw(const vk::raii::CommandBuffer& commands, const GridResources& resources,
                        const GridLook& look, const LocalView& view) const {
   const DeviceGrid& grid = resources.grid_;
-  const ResourceSet& set =
-      grid.newestIsFirst() ? resources.newestFirst_ : resources.newestSecond_;
+  const ResourceSet& set = grid.newestIsFirst() ? resources.newestFirst_ : resources.newestSecond_;
   if (look.isSurface) {
     const GraphicsPipeline& pipeline = look.isVeil ? veil_ : surface_;
     const SurfacePush push = surfacePush(grid, view, look.mostQuads);
@@ -102,8 +104,9 @@ void GridPainter::draw(const vk::raii::CommandBuffer& commands, const GridResour
     return;
   }
   const bool ribbons = look.style == StrutStyle::ribbons;
-  const GraphicsPipeline& pipeline = resources.hasShares_ ? (ribbons ? shareRibbons_ : shareLines_)
-                                                          : (ribbons ? strainRibbons_ : strainLines_);
+  const GraphicsPipeline& pipeline = resources.hasShares_
+                                         ? (ribbons ? shareRibbons_ : shareLines_)
+                                         : (ribbons ? strainRibbons_ : strainLines_);
   pipeline.bind(commands, set);
   drawStruts(commands, grid, pipeline, look, view);
 }

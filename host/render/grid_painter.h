@@ -28,11 +28,11 @@ enum class StrutStyle {
 
 /// What of a grid is drawn, and how.
 struct GridLook {
-  bool isSurface = false;  ///< The middle layer's surface instead of the struts.
-  bool isVeil = false;     ///< Of a surface: translucent.
+  bool isSurface = false;        ///< The middle layer's surface instead of the struts.
+  bool isVeil = false;           ///< Of a surface: translucent.
   std::optional<int> mostQuads;  ///< Of a surface, about; none: as surfacePush() chooses.
   StrutStyle style = StrutStyle::ribbons;
-  int stride = 1;               ///< Of lines: they join every n-th vertex along u and v.
+  int stride = 1;  ///< Of lines: they join every n-th vertex along u and v.
   std::array<bool, 3> directions = {true, true, true};  ///< Of struts: those to +u, +v, +w.
 };
 

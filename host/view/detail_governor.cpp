@@ -8,15 +8,15 @@ namespace {
 
 // Seconds of a frame. Two of them must pass within a tenth of a second: an event that has just
 // missed one is answered by the next.
-constexpr double kLate = 0.030;
-constexpr double kWanted = 0.020;
-// Without struts, and for a strut, about: docs/performance.md. Only ratios matter once frames are
-// measured.
-constexpr double kFrameCost = 0.008;
+constexpr double kLate = 0.040;
+constexpr double kWanted = 0.030;
+// Without struts, and for a strut, about. Only ratios matter once frames are measured.
+constexpr double kFrameCost = 0.018;
+constexpr double kPlainFrameCost = 0.007;
 constexpr double kRibbonCost = 2e-6;
 constexpr double kPlainRibbonCost = 1e-6;
 constexpr double kLineCost = 0.4e-6;
-constexpr int kFewestLines = 8;  // Each way.
+constexpr int kFewestLines = 8;   // Each way.
 constexpr int kFewestFrames = 6;  // At a level, before it is judged.
 constexpr int kManyFrames = 40;   // At a level, before a finer one is tried.
 
@@ -31,7 +31,7 @@ double strutsDrawn(const GridShape& shape, int stride) {
 void DetailGovernor::begin(const GridShape& shape) {
   shape_ = shape;
   Detail detail{StrutStyle::ribbons, 4, 1};
-  while (cost(detail) > kWanted && !(coarser(detail) == detail)) {
+  while (slowness_ * cost(detail) > kWanted && !(coarser(detail) == detail)) {
     detail = coarser(detail);
   }
   change(detail);
@@ -44,10 +44,12 @@ void DetailGovernor::change(const Detail& detail) {
 }
 
 double DetailGovernor::cost(const Detail& detail) const {
-  const double strut = detail.style == StrutStyle::lines ? kLineCost
-                       : detail.samples > 1              ? kRibbonCost
-                                                         : kPlainRibbonCost;
-  return kFrameCost + strut * strutsDrawn(shape_, detail.stride);
+  const double struts = strutsDrawn(shape_, detail.stride);
+  if (detail.samples > 1) {
+    return kFrameCost + kRibbonCost * struts;
+  }
+  return kPlainFrameCost +
+         (detail.style == StrutStyle::lines ? kLineCost : kPlainRibbonCost) * struts;
 }
 
 Detail DetailGovernor::coarser(Detail detail) const {
@@ -75,12 +77,12 @@ Detail DetailGovernor::finer(Detail detail) const {
 void DetailGovernor::update(double frameSeconds) {
   ++frames_;
   average_ += (frameSeconds - average_) / std::min(frames_, kFewestFrames);
+  slowness_ += (frameSeconds / cost(detail_) - slowness_) / kManyFrames;
   if (frames_ >= kFewestFrames && average_ > kLate) {
     change(coarser(detail_));
   } else if (frames_ >= kManyFrames) {
     const Detail next = finer(detail_);
-    const double expected = average_ * cost(next) / cost(detail_);
-    if (!(next == detail_) && expected < kWanted) {
+    if (!(next == detail_) && slowness_ * cost(next) < kWanted) {
       change(next);
     }
   }

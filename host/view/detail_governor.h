@@ -34,8 +34,9 @@ class DetailGovernor {
 
   GridShape shape_{};
   Detail detail_{};
-  double average_ = 0;  ///< Of the frames at this level, in seconds.
-  int frames_ = 0;      ///< At this level.
+  double average_ = 0;   ///< Of the frames at this level, in seconds.
+  int frames_ = 0;       ///< At this level.
+  double slowness_ = 1;  ///< What frames take over what they are expected to, of late.
 };
 
 }  // namespace morphgrid

@@ -82,8 +82,7 @@ void plot(const char* label, const std::vector<ConvergenceSample>& history,
     values.push_back(static_cast<float>(std::log10(std::max(sample.*figure, 1e-300))));
   }
   const std::string text =
-      values.empty() ? std::string(label)
-                     : fmt::format("{} {:.3g}", label, history.back().*figure);
+      values.empty() ? std::string(label) : fmt::format("{} {:.3g}", label, history.back().*figure);
   ImGui::PlotLines("##plot", values.data(), static_cast<int>(values.size()), 0, text.c_str(),
                    FLT_MAX, FLT_MAX, {ImGui::GetContentRegionAvail().x, kPlotHeight});
 }
@@ -152,8 +151,8 @@ std::optional<std::string> drawKnob(const Knob& knob) {
       return true;
     };
     auto choices = knob.choices;
-    const bool changed = ImGui::Combo(knob.label.c_str(), &index, text, &choices,
-                                      static_cast<int>(choices.size()));
+    const bool changed =
+        ImGui::Combo(knob.label.c_str(), &index, text, &choices, static_cast<int>(choices.size()));
     return changed ? std::optional(fmt::format("\"{}\"", knob.choices[index])) : std::nullopt;
   }
   if (knob.isInteger) {

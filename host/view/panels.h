@@ -13,8 +13,8 @@ struct WindowActions {
   std::function<void()> savePicture;
 };
 
-/// The panels on the left, by ImGui: within UserInterface::build(). What the user does there goes to
-/// the state, the session and the actions.
+/// The panels on the left, by ImGui: within UserInterface::build(). What the user does there goes
+/// to the state, the session and the actions.
 void drawPanels(const Snapshot& snapshot, ViewState& state, Session& session,
                 const WindowActions& actions, int windowHeight);
 

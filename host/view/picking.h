@@ -11,8 +11,8 @@ namespace morphgrid {
 std::optional<glm::dvec2> pixelOf(const Eigen::Vector3d& point, const glm::dmat4& clipFromWorld,
                                   const SceneArea& area);
 
-/// The strut next to the eye among those that are drawn within `reach` pixels of `pixel`. positions:
-/// 3 x vertexCount, in world coordinates.
+/// The strut next to the eye among those that are drawn within `reach` pixels of `pixel`.
+/// positions: 3 x vertexCount, in world coordinates.
 std::optional<Strut> pickStrut(const GridShape& shape, const Eigen::Matrix3Xd& positions,
                                const glm::dmat4& clipFromWorld, const SceneArea& area,
                                const glm::dvec2& pixel, double reach);

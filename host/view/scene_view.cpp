@@ -40,19 +40,17 @@ const GridResources& SceneView::resourcesOf(const DrawnGrid& drawn) {
     found->isUsed = true;
     return *found->resources;
   }
-  held_.push_back({drawn.shown.onDevice, drawn.shares,
-                   std::make_unique<GridResources>(device_, *drawn.shown.onDevice,
-                                                   drawn.shares.get()),
-                   true});
+  held_.push_back(
+      {drawn.shown.onDevice, drawn.shares,
+       std::make_unique<GridResources>(device_, *drawn.shown.onDevice, drawn.shares.get()), true});
   return *held_.back().resources;
 }
 
 const SamplingDrawing& SceneView::drawingOf(const std::shared_ptr<const ShownSampling>& sampling,
                                             const Style& style) {
   if (sampling_ != sampling || samplingStyle_ != &style) {
-    samplingDrawing_ =
-        std::make_unique<SamplingDrawing>(device_, sampling->mesh, sampling->hits,
-                                          style.pass.renderPass(), style.pass.samples());
+    samplingDrawing_ = std::make_unique<SamplingDrawing>(
+        device_, sampling->mesh, sampling->hits, style.pass.renderPass(), style.pass.samples());
     sampling_ = sampling;
     samplingStyle_ = &style;
   }
@@ -73,9 +71,9 @@ void SceneView::record(const vk::raii::CommandBuffer& commands, std::size_t imag
   letGo();
   Style& style = styleOf(samples);
   canvasOf(style).record(commands, image, [&](const vk::raii::CommandBuffer& pass) {
-    pass.setViewport(0, vk::Viewport(static_cast<float>(area.left), static_cast<float>(area.top),
-                                     static_cast<float>(area.width),
-                                     static_cast<float>(area.height), 0, 1));
+    pass.setViewport(
+        0, vk::Viewport(static_cast<float>(area.left), static_cast<float>(area.top),
+                        static_cast<float>(area.width), static_cast<float>(area.height), 0, 1));
     if (sampling) {
       drawingOf(sampling, style).draw(pass, camera, area.height);
     }

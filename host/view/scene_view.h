@@ -35,8 +35,8 @@ class SceneView {
   /// New images to draw into: of a swapchain of this size.
   void setImages(vk::Extent2D size, const std::vector<vk::ImageView>& images);
 
-  /// Draws into image `image`, which is in eColorAttachmentOptimal afterwards; sampling may be null.
-  /// To be called when the last picture has been drawn: what only that one needed is let go.
+  /// Draws into image `image`, which is in eColorAttachmentOptimal afterwards; sampling may be
+  /// null. To be called when the last picture has been drawn: what only that one needed is let go.
   void record(const vk::raii::CommandBuffer& commands, std::size_t image, int samples,
               const std::vector<DrawnGrid>& grids,
               const std::shared_ptr<const ShownSampling>& sampling, const Camera& camera,

@@ -64,8 +64,8 @@ struct Snapshot {
   std::string status;  ///< What is being done, or how it ended.
   Activity activity = Activity::designing;
   std::array<std::optional<ShownGrid>, kStageNames.size()> stages;  ///< But sampling.
-  std::shared_ptr<const ShownSampling> sampling;  ///< Of meshes.
-  ShownStage newest = ShownStage::target;  ///< That the run has reached.
+  std::shared_ptr<const ShownSampling> sampling;                    ///< Of meshes.
+  ShownStage newest = ShownStage::target;                           ///< That the run has reached.
   std::shared_ptr<const Eigen::Matrix3Xd> targets;  ///< 3 x layerVertexCount; null without target.
   Eigen::AlignedBox3d extent;                       ///< Of all that is shown; may be empty.
   View view = kPatchView;                           ///< To begin with.
@@ -83,8 +83,8 @@ struct Snapshot {
   int strutCount = 0;       ///< Of the design.
 };
 
-/// A scene that is designed and solved on a thread of its own while a window looks on. All functions
-/// return at once.
+/// A scene that is designed and solved on a thread of its own while a window looks on. All
+/// functions return at once.
 class Session {
  public:
   virtual ~Session() = default;

@@ -18,9 +18,8 @@ constexpr float kTableSize = 12;
 
 vk::raii::DescriptorPool fontPool(const Device& device) {
   const vk::DescriptorPoolSize size(vk::DescriptorType::eCombinedImageSampler, 1);
-  return {device.handle(),
-          vk::DescriptorPoolCreateInfo(vk::DescriptorPoolCreateFlagBits::eFreeDescriptorSet, 1,
-                                       size)};
+  return {device.handle(), vk::DescriptorPoolCreateInfo(
+                               vk::DescriptorPoolCreateFlagBits::eFreeDescriptorSet, 1, size)};
 }
 
 /// Keeps what is there and hands the image to the screen.
@@ -34,9 +33,9 @@ vk::raii::RenderPass overlayPass(const Device& device, vk::Format format) {
       vk::ImageLayout::ePresentSrcKHR);
   const vk::AttachmentReference color(0, vk::ImageLayout::eColorAttachmentOptimal);
   const vk::SubpassDescription subpass({}, vk::PipelineBindPoint::eGraphics, 0, nullptr, 1, &color);
-  const vk::SubpassDependency before(
-      VK_SUBPASS_EXTERNAL, 0, Stage::eColorAttachmentOutput, Stage::eColorAttachmentOutput,
-      Access::eColorAttachmentWrite, Access::eColorAttachmentRead | Access::eColorAttachmentWrite);
+  const vk::SubpassDependency before(VK_SUBPASS_EXTERNAL, 0, Stage::eColorAttachmentOutput,
+                                     Stage::eColorAttachmentOutput, Access::eColorAttachmentWrite,
+                                     Access::eColorAttachmentRead | Access::eColorAttachmentWrite);
   return {device.handle(), vk::RenderPassCreateInfo({}, attachment, subpass, before)};
 }
 
@@ -124,9 +123,9 @@ void UserInterface::setImages(vk::Extent2D size, const std::vector<vk::ImageView
   size_ = size;
   framebuffers_.clear();
   for (const vk::ImageView image : images) {
-    framebuffers_.emplace_back(device_.handle(),
-                               vk::FramebufferCreateInfo({}, *renderPass_, image, size.width,
-                                                         size.height, 1));
+    framebuffers_.emplace_back(
+        device_.handle(),
+        vk::FramebufferCreateInfo({}, *renderPass_, image, size.width, size.height, 1));
   }
 }
 

@@ -198,8 +198,7 @@ class Viewer {
       }
     }
     if (state_.showsPanels) {
-      drawPanels(*snapshot_, state_, session_, actions,
-                 static_cast<int>(presenter_.size().height));
+      drawPanels(*snapshot_, state_, session_, actions, static_cast<int>(presenter_.size().height));
     }
     if (state_.showsHelp) {
       drawHelp(state_.showsHelp);
@@ -271,7 +270,8 @@ class Viewer {
     const auto& target = snapshot_->stages[static_cast<std::size_t>(ShownStage::target)];
     const ShownStage stage = stageOf(state_, *snapshot_);
     if (state_.showsTarget && target && stage != ShownStage::target) {
-      grids.push_back({*target, {.isSurface = true, .isVeil = true, .mostQuads = kLiveQuads}, nullptr});
+      grids.push_back(
+          {*target, {.isSurface = true, .isVeil = true, .mostQuads = kLiveQuads}, nullptr});
     }
     return grids;
   }
@@ -280,8 +280,8 @@ class Viewer {
   void savePicture() {
     try {
       PictureOptions picture;
-      picture.caption = fmt::format("{}: {}", snapshot_->title,
-                                    nameOf(stageOf(state_, *snapshot_)));
+      picture.caption =
+          fmt::format("{}: {}", snapshot_->title, nameOf(stageOf(state_, *snapshot_)));
       if (!looksLikeSurface()) {
         picture.legend = colors_.legend();
       }
@@ -304,20 +304,20 @@ class Viewer {
     if (const auto shown = shownSampling()) {
       sampling.emplace(device_, shown->mesh, shown->hits, target.renderPass(), target.samples());
     }
-    return {size.width, size.height, target.render([&](const vk::raii::CommandBuffer& commands) {
-              if (sampling) {
-                sampling->draw(commands, camera, size.height);
-              }
-              for (DrawnGrid& drawn : grids) {
-                const DeviceGrid& grid = *drawn.shown.onDevice;
-                drawn.look.style = StrutStyle::ribbons;
-                drawn.look.mostQuads.reset();
-                resources.push_back(
-                    std::make_unique<GridResources>(device_, grid, drawn.shares.get()));
-                painter.draw(commands, *resources.back(), drawn.look,
-                             viewOf(grid, drawn.shown.worldFromGrid, camera, size.height));
-              }
-            })};
+    return {
+        size.width, size.height, target.render([&](const vk::raii::CommandBuffer& commands) {
+          if (sampling) {
+            sampling->draw(commands, camera, size.height);
+          }
+          for (DrawnGrid& drawn : grids) {
+            const DeviceGrid& grid = *drawn.shown.onDevice;
+            drawn.look.style = StrutStyle::ribbons;
+            drawn.look.mostQuads.reset();
+            resources.push_back(std::make_unique<GridResources>(device_, grid, drawn.shares.get()));
+            painter.draw(commands, *resources.back(), drawn.look,
+                         viewOf(grid, drawn.shown.worldFromGrid, camera, size.height));
+          }
+        })};
   }
 
   void account(Clock::time_point polled) {
@@ -345,7 +345,8 @@ class Viewer {
   }
 
   void printStatistics() const {
-    fmt::print("{} struts, {} x {} pixels, device {}\n{}", snapshot_->strutCount, presenter_.size().width, presenter_.size().height, device_.name(),
+    fmt::print("{} struts, {} x {} pixels, device {}\n{}", snapshot_->strutCount,
+               presenter_.size().width, presenter_.size().height, device_.name(),
                statistics_.toText());
   }
 

@@ -48,8 +48,8 @@ Presentation Window::presentation() {
   if (!names) {
     failToOpen(lastComplaint());
   }
-  return {{names, names + count}, [](VkInstance instance, VkPhysicalDevice device,
-                                     std::uint32_t queueFamily) {
+  return {{names, names + count},
+          [](VkInstance instance, VkPhysicalDevice device, std::uint32_t queueFamily) {
             return glfwGetPhysicalDevicePresentationSupport(instance, device, queueFamily) ==
                    GLFW_TRUE;
           }};

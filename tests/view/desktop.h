@@ -1,7 +1,7 @@
 #pragma once
+#include <sys/types.h>
 #include <filesystem>
 #include <string>
-#include <sys/types.h>
 #include <vector>
 
 #include "tests/support/temporary_folder.h"

@@ -59,6 +59,13 @@ TEST(DetailGovernor, ComesBackWhenThereIsTime) {
   EXPECT_EQ(governor.detail(), kFinest);
 }
 
+TEST(DetailGovernor, RemembersASlowDevice) {
+  DetailGovernor governor(kSmall);
+  showFrames(governor, 200, 0.1);
+  governor.begin({17, 20, 3});
+  EXPECT_NE(governor.detail(), kFinest);
+}
+
 TEST(DetailGovernor, DoesNotTryALevelThatWouldBeLate) {
   DetailGovernor governor(kHuge);
   const Detail before = governor.detail();

@@ -40,15 +40,14 @@ TEST(OrbitCamera, TurningKeepsThePivotAndTheDistance) {
   const Eigen::Vector3d before = project(camera, camera.pivot());
   camera.turn(0.7, -0.2);
   EXPECT_LT((project(camera, camera.pivot()) - before).head<2>().norm(), 1e-9);
-  EXPECT_NEAR((camera.rotation() * camera.rotation().transpose() - Eigen::Matrix3d::Identity())
-                  .norm(),
-              0, 1e-12);
+  EXPECT_NEAR(
+      (camera.rotation() * camera.rotation().transpose() - Eigen::Matrix3d::Identity()).norm(), 0,
+      1e-12);
 }
 
 TEST(OrbitCamera, TurningToTheRightMovesWhatIsInFrontToTheRight) {
   OrbitCamera camera = framed();
-  const Eigen::Vector3d inFront =
-      camera.pivot() + 0.1 * camera.rotation().row(2).transpose();
+  const Eigen::Vector3d inFront = camera.pivot() + 0.1 * camera.rotation().row(2).transpose();
   const double before = project(camera, inFront).x();
   camera.turn(0.05, 0);
   EXPECT_GT(project(camera, inFront).x(), before);

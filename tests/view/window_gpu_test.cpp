@@ -38,8 +38,9 @@ class ViewerWindow : public testing::Test {
  protected:
   std::unique_ptr<BackgroundProgram> start(const std::vector<std::string>& more = {}) {
     const std::filesystem::path scene = desktop_.folder().write("dome.toml", kScene);
-    std::vector<std::string> command = {binaryFolder() / "morphgrid", "view", scene, "--validate",
-                                        "--out", desktop_.folder() / "out"};
+    std::vector<std::string> command = {
+        binaryFolder() / "morphgrid", "view", scene, "--validate", "--out",
+        desktop_.folder() / "out"};
     command.insert(command.end(), more.begin(), more.end());
     return std::make_unique<BackgroundProgram>(
         command, std::vector<std::string>{"DISPLAY=" + desktop_.display()},
