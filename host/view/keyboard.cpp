@@ -5,7 +5,6 @@
 #include <imgui.h>
 
 #include <cmath>
-#include <utility>
 
 namespace morphgrid {
 namespace {
@@ -17,101 +16,126 @@ constexpr float kClickReach = 3;  // Pixels that the mouse may move in a click.
 
 const View kAlongY{{0, 1, 0}, {0, 0, 1}};
 
-bool pressed(int key) { return ImGui::IsKeyPressed(key, false); }
-
-void handleControlKeys(const Snapshot& snapshot, Session& session, const WindowActions& actions,
-                       Window& window) {
-  if (pressed(GLFW_KEY_Z)) {
-    const bool redoes = ImGui::GetIO().KeyShift;
-    if (redoes && snapshot.canRedo) session.redo();
-    if (!redoes && snapshot.canUndo) session.undo();
+void handleControlKey(const KeyPress& press, const Snapshot& snapshot, Session& session,
+                      const WindowActions& actions, Window& window) {
+  switch (press.key) {
+    case GLFW_KEY_Z:
+      if (press.shift && snapshot.canRedo) session.redo();
+      if (!press.shift && snapshot.canUndo) session.undo();
+      break;
+    case GLFW_KEY_S:
+      return session.saveScene();
+    case GLFW_KEY_E:
+      return session.exportFiles();
+    case GLFW_KEY_P:
+      return actions.savePicture();
+    case GLFW_KEY_R:
+      return session.reload();
+    case GLFW_KEY_Q:
+      return window.close();
+    default:
+      break;
   }
-  if (pressed(GLFW_KEY_S)) session.saveScene();
-  if (pressed(GLFW_KEY_E)) session.exportFiles();
-  if (pressed(GLFW_KEY_P)) actions.savePicture();
-  if (pressed(GLFW_KEY_R)) session.reload();
-  if (pressed(GLFW_KEY_Q)) window.close();
 }
 
-void handleStageKeys(const Snapshot& snapshot, ViewState& state) {
-  if (pressed(GLFW_KEY_0)) {
+void handleStageKey(int key, const Snapshot& snapshot, ViewState& state) {
+  if (key == GLFW_KEY_0) {
     state.stage.reset();
   }
-  for (std::size_t n = 0; n < kStageNames.size(); ++n) {
-    const auto stage = static_cast<ShownStage>(n);
-    if (pressed(GLFW_KEY_1 + static_cast<int>(n)) && snapshot.has(stage)) {
-      state.stage = stage;
+  const int n = key - GLFW_KEY_1;
+  if (n >= 0 && n < static_cast<int>(kStageNames.size()) &&
+      snapshot.has(static_cast<ShownStage>(n))) {
+    state.stage = static_cast<ShownStage>(n);
+  }
+}
+
+void handlePlainKey(int key, const Snapshot& snapshot, ViewState& state, Session& session,
+                    const WindowActions& actions) {
+  handleStageKey(key, snapshot, state);
+  switch (key) {
+    case GLFW_KEY_C: {
+      const auto next = static_cast<std::size_t>(state.coloring) + 1;
+      state.coloring = static_cast<Coloring>(next % kColoringNames.size());
+      break;
     }
+    case GLFW_KEY_SPACE:
+      state.isPaused = !state.isPaused;
+      return session.pause(state.isPaused);
+    case GLFW_KEY_N:
+      state.isPaused = true;
+      return session.step();
+    case GLFW_KEY_R:
+      return session.restart();
+    case GLFW_KEY_F:
+      return actions.frameAll();
+    case GLFW_KEY_T:
+      state.showsTarget = !state.showsTarget;
+      break;
+    case GLFW_KEY_TAB:
+      state.showsPanels = !state.showsPanels;
+      break;
+    case GLFW_KEY_H:
+      state.showsHelp = !state.showsHelp;
+      break;
+    default:
+      break;
   }
 }
 
-void handlePlainKeys(const Snapshot& snapshot, ViewState& state, Session& session,
-                     const WindowActions& actions) {
-  handleStageKeys(snapshot, state);
-  if (pressed(GLFW_KEY_C)) {
-    const auto next = static_cast<std::size_t>(state.coloring) + 1;
-    state.coloring = static_cast<Coloring>(next % kColoringNames.size());
+void moveCamera(int key, OrbitCamera& camera, const Eigen::AlignedBox3d& extent, const View& view,
+                const SceneArea& area) {
+  switch (key) {
+    case GLFW_KEY_O:
+      return camera.frame(extent, view, area.aspect());
+    case GLFW_KEY_X:
+      return camera.frame(extent, {{1, 0, 0}, view.up}, area.aspect());
+    case GLFW_KEY_Y:
+      return camera.frame(extent, kAlongY, area.aspect());
+    case GLFW_KEY_Z:
+      return camera.frame(extent, kTopView, area.aspect());
+    case GLFW_KEY_RIGHT:
+      return camera.turn(kTurnPerKey, 0);
+    case GLFW_KEY_LEFT:
+      return camera.turn(-kTurnPerKey, 0);
+    case GLFW_KEY_DOWN:
+      return camera.turn(0, kTurnPerKey);
+    case GLFW_KEY_UP:
+      return camera.turn(0, -kTurnPerKey);
+    case GLFW_KEY_EQUAL:
+    case GLFW_KEY_KP_ADD:
+      return camera.zoom(kZoomPerStep);
+    case GLFW_KEY_MINUS:
+    case GLFW_KEY_KP_SUBTRACT:
+      return camera.zoom(1 / kZoomPerStep);
+    default:
+      break;
   }
-  if (pressed(GLFW_KEY_SPACE)) {
-    state.isPaused = !state.isPaused;
-    session.pause(state.isPaused);
-  }
-  if (pressed(GLFW_KEY_N)) {
-    state.isPaused = true;
-    session.step();
-  }
-  if (pressed(GLFW_KEY_R)) session.restart();
-  if (pressed(GLFW_KEY_F)) actions.frameAll();
-  if (pressed(GLFW_KEY_T)) state.showsTarget = !state.showsTarget;
-  if (pressed(GLFW_KEY_TAB)) state.showsPanels = !state.showsPanels;
-  if (pressed(GLFW_KEY_H)) state.showsHelp = !state.showsHelp;
-}
-
-void lookFrom(OrbitCamera& camera, const Eigen::AlignedBox3d& extent, const View& view,
-              const SceneArea& area) {
-  const View alongX{{1, 0, 0}, view.up};
-  const std::array<std::pair<int, const View*>, 4> keys = {{{GLFW_KEY_O, &view},
-                                                            {GLFW_KEY_X, &alongX},
-                                                            {GLFW_KEY_Y, &kAlongY},
-                                                            {GLFW_KEY_Z, &kTopView}}};
-  for (const auto& [key, look] : keys) {
-    if (pressed(key)) {
-      camera.frame(extent, *look, area.aspect());
-    }
-  }
-}
-
-void turnByKeys(OrbitCamera& camera) {
-  const auto held = [](int key) { return ImGui::IsKeyPressed(key, true) ? 1 : 0; };
-  const int right = held(GLFW_KEY_RIGHT) - held(GLFW_KEY_LEFT);
-  const int down = held(GLFW_KEY_DOWN) - held(GLFW_KEY_UP);
-  const int nearer = held(GLFW_KEY_EQUAL) + held(GLFW_KEY_KP_ADD) - held(GLFW_KEY_MINUS) -
-                     held(GLFW_KEY_KP_SUBTRACT);
-  if (right != 0 || down != 0) camera.turn(kTurnPerKey * right, kTurnPerKey * down);
-  if (nearer != 0) camera.zoom(std::pow(kZoomPerStep, nearer));
 }
 
 }  // namespace
 
 void handleKeys(const Snapshot& snapshot, ViewState& state, Session& session,
                 const WindowActions& actions, Window& window) {
-  const ImGuiIO& io = ImGui::GetIO();
-  if (io.WantTextInput) {
+  if (ImGui::GetIO().WantTextInput) {
     return;
   }
-  if (io.KeyCtrl) {
-    handleControlKeys(snapshot, session, actions, window);
-  } else {
-    handlePlainKeys(snapshot, state, session, actions);
+  for (const KeyPress& press : window.keys()) {
+    if (press.control) {
+      handleControlKey(press, snapshot, session, actions, window);
+    } else {
+      handlePlainKey(press.key, snapshot, state, session, actions);
+    }
   }
 }
 
-std::optional<glm::dvec2> handleCamera(OrbitCamera& camera, const Eigen::AlignedBox3d& extent,
-                                       const View& view, const SceneArea& area) {
+std::optional<glm::dvec2> handleCamera(const Window& window, OrbitCamera& camera,
+                                       const Eigen::AlignedBox3d& extent, const View& view,
+                                       const SceneArea& area) {
   const ImGuiIO& io = ImGui::GetIO();
-  if (!io.WantTextInput && !io.KeyCtrl) {
-    lookFrom(camera, extent, view, area);
-    turnByKeys(camera);
+  for (const KeyPress& press : window.keys()) {
+    if (!io.WantTextInput && !press.control) {
+      moveCamera(press.key, camera, extent, view, area);
+    }
   }
   if (io.WantCaptureMouse) {
     return std::nullopt;

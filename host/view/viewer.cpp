@@ -192,7 +192,7 @@ class Viewer {
                                 [&] { savePicture(); }};
     handleKeys(*snapshot_, state_, session_, actions, window_);
     if (!snapshot_->extent.isEmpty()) {
-      const auto click = handleCamera(camera_, snapshot_->extent, snapshot_->view, area());
+      const auto click = handleCamera(window_, camera_, snapshot_->extent, snapshot_->view, area());
       if (click) {
         pick(*click);
       }

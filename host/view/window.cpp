@@ -35,6 +35,13 @@ Window::Window(const WindowOptions& options) : title_(options.title) {
     glfwTerminate();
     failToOpen(reason);
   }
+  glfwSetWindowUserPointer(window_, &keys_);
+  glfwSetKeyCallback(window_, [](GLFWwindow* window, int key, int, int action, int mods) {
+    if (action != GLFW_RELEASE) {
+      static_cast<std::vector<KeyPress>*>(glfwGetWindowUserPointer(window))
+          ->push_back({key, (mods & GLFW_MOD_CONTROL) != 0, (mods & GLFW_MOD_SHIFT) != 0});
+    }
+  });
 }
 
 Window::~Window() {
@@ -88,6 +95,7 @@ void Window::setTitle(const std::string& title) {
 }
 
 void Window::handleEvents(double patience) {
+  keys_.clear();
   if (patience > 0) {
     glfwWaitEventsTimeout(patience);
   } else {

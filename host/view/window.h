@@ -13,6 +13,13 @@ struct WindowOptions {
   int height = 720;
 };
 
+/// A key that went down, or that repeats while it is held.
+struct KeyPress {
+  int key;  ///< As GLFW numbers them.
+  bool control;
+  bool shift;
+};
+
 /// A window of the desktop. One at a time, used by one thread, but for wake().
 class Window {
  public:
@@ -36,12 +43,15 @@ class Window {
 
   /// Handles events; waits up to so many seconds for one where none is there.
   void handleEvents(double patience);
+  /// Of the last events. Dear ImGui of this version misses keys that go up before its next frame.
+  const std::vector<KeyPress>& keys() const { return keys_; }
   /// Ends a wait for events; from any thread.
   static void wake();
 
  private:
   GLFWwindow* window_ = nullptr;
   std::string title_;
+  std::vector<KeyPress> keys_;
 };
 
 }  // namespace morphgrid
