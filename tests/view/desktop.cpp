@@ -44,13 +44,15 @@ std::string contentOf(const std::filesystem::path& file) {
   return text.str();
 }
 
-/// The server chooses a free display and writes its number, alone on a line.
+/// The server chooses a free display and writes its number, alone on a line; complaints about those
+/// that are taken come before.
 std::string awaitDisplay(const BackgroundProgram& server) {
   for (int n = 0; n < kTries; ++n) {
-    const std::string text = server.output();
-    const auto end = text.find('\n');
-    if (end != std::string::npos) {
-      return ':' + text.substr(0, end);
+    std::istringstream lines(server.output());
+    for (std::string line; std::getline(lines, line) && !lines.eof();) {
+      if (!line.empty() && line.find_first_not_of("0123456789") == std::string::npos) {
+        return ':' + line;
+      }
     }
     std::this_thread::sleep_for(kPause);
   }
@@ -105,7 +107,7 @@ std::string Desktop::run(const std::string& command) const {
 }
 
 std::string Desktop::awaitWindow(const std::string& title) const {
-  return run(fmt::format("timeout 60 xdotool search --sync --limit 1 --name '{}'", title));
+  return run(fmt::format("timeout 30 xdotool search --sync --limit 1 --name '{}'", title));
 }
 
 void Desktop::press(const std::string& keys) const { run("xdotool key " + keys); }

@@ -38,7 +38,7 @@ class Desktop {
   const TemporaryFolder& folder() const { return folder_; }
 
   /// Waits for a window with such a title, an extended regular expression; returns its id. Empty
-  /// when none comes within a minute.
+  /// when none comes within half a minute.
   std::string awaitWindow(const std::string& title) const;
   /// Keys as xdotool calls them, e.g. "ctrl+s".
   void press(const std::string& keys) const;
