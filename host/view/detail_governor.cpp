@@ -10,6 +10,7 @@ namespace {
 // missed one is answered by the next.
 constexpr double kLate = 0.040;
 constexpr double kWanted = 0.030;
+constexpr double kStill = 0.080;  // Of a frame that stays: still soon enough for an event.
 // Without struts, and for a strut, about. Only ratios matter once frames are measured.
 constexpr double kFrameCost = 0.018;
 constexpr double kPlainFrameCost = 0.007;
@@ -30,11 +31,17 @@ double strutsDrawn(const GridShape& shape, int stride) {
 
 void DetailGovernor::begin(const GridShape& shape) {
   shape_ = shape;
+  change(finestWithin(kWanted));
+}
+
+Detail DetailGovernor::still() const { return finestWithin(kStill); }
+
+Detail DetailGovernor::finestWithin(double seconds) const {
   Detail detail{StrutStyle::ribbons, 4, 1};
-  while (slowness_ * cost(detail) > kWanted && !(coarser(detail) == detail)) {
+  while (slowness_ * cost(detail) > seconds && !(coarser(detail) == detail)) {
     detail = coarser(detail);
   }
-  change(detail);
+  return detail;
 }
 
 void DetailGovernor::change(const Detail& detail) {

@@ -22,6 +22,8 @@ class DetailGovernor {
   void begin(const GridShape& shape);
 
   const Detail& detail() const { return detail_; }
+  /// For a frame that stays: nothing moves, so that it may take longer.
+  Detail still() const;
 
   /// How long the last frame took, in seconds.
   void update(double frameSeconds);
@@ -31,6 +33,7 @@ class DetailGovernor {
   Detail coarser(Detail detail) const;
   Detail finer(Detail detail) const;
   void change(const Detail& detail);
+  Detail finestWithin(double seconds) const;
 
   GridShape shape_{};
   Detail detail_{};

@@ -233,6 +233,7 @@ void drawStrutNumbers(const ShownGrid& shown, const Strut& strut) {
   const double present = arm(*shown.positions);
   const int place = strut.from % shape.layerVertexCount();
   constexpr std::array<const char*, 3> directions = {"u", "v", "w"};
+  ImGui::SetNextWindowPos({kPanelWidth + 16, 16}, ImGuiCond_Appearing);
   ImGui::Begin("Strut", nullptr,
                ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoNav |
                    ImGuiWindowFlags_NoSavedSettings);
@@ -251,6 +252,7 @@ void drawStrutNumbers(const ShownGrid& shown, const Strut& strut) {
 }
 
 void drawHelp(bool& isOpen) {
+  ImGui::SetNextWindowPos({kPanelWidth + 16, 16}, ImGuiCond_Appearing);
   ImGui::Begin("Keys", &isOpen, ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoNav);
   ImGui::PushFont(ImGui::GetIO().Fonts->Fonts.back());
   ImGui::TextUnformatted(kHelp);

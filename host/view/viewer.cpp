@@ -102,6 +102,7 @@ class Viewer {
     while (!window_.shouldClose() && !interruptRequested()) {
       handleEvents();
       const auto polled = Clock::now();
+      isNew_ = snapshot_ != session_.snapshot();
       snapshot_ = session_.snapshot();
       window_.setTitle(fmt::format("{}, {}: {}", snapshot_->title,
                                    nameOf(stageOf(state_, *snapshot_)), snapshot_->status));
@@ -149,7 +150,16 @@ class Viewer {
     }
   }
 
+  /// Nothing moves, nobody does anything.
+  bool isStill() const {
+    return !isBusy(*snapshot_) && !isNew_ && framesLeft_ == 0 && !options_.statisticsSeconds;
+  }
+  Detail detail() const { return isStill() ? governor_.still() : governor_.detail(); }
+
   bool frame() {
+    if (isStill() && isStillShown_) {
+      return false;
+    }
     if (window_.isMinimised() || !presenter_.prepare(window_.sizeInPixels())) {
       session_.noteFrame();
       window_.handleEvents(kIdleSeconds);
@@ -166,12 +176,15 @@ class Viewer {
     const auto begin = Clock::now();
     const bool shown =
         presenter_.present([&](const vk::raii::CommandBuffer& commands, std::size_t image) {
-          scene_.record(commands, image, governor_.detail().samples, grids, shownSampling(),
+          scene_.record(commands, image, detail().samples, grids, shownSampling(),
                         cameraNow(), area());
           interface_.record(commands, image);
         });
     presenter_.waitForLast();
-    governor_.update(secondsBetween(begin, Clock::now()));
+    if (!isStill()) {
+      governor_.update(secondsBetween(begin, Clock::now()));
+    }
+    isStillShown_ = isStill() && shown;
     session_.noteFrame();
     return shown;
   }
@@ -260,8 +273,8 @@ class Viewer {
     }
     DrawnGrid drawn{*shown, {}, nullptr};
     drawn.look.isSurface = looksLikeSurface();
-    drawn.look.style = governor_.detail().style;
-    drawn.look.stride = governor_.detail().stride;
+    drawn.look.style = detail().style;
+    drawn.look.stride = detail().stride;
     drawn.look.mostQuads = kLiveQuads;
     if (!drawn.look.isSurface) {
       drawn.shares = colors_.sharesFor(state_.coloring, *shown, *snapshot_);
@@ -369,6 +382,8 @@ class Viewer {
   int framesLeft_ = kFramesAfterEvent;
   long framedRun_ = 0;
   bool isFramed_ = false;
+  bool isNew_ = true;          ///< The snapshot is not the last one's.
+  bool isStillShown_ = false;  ///< What stands in the window needs no other frame.
   Clock::time_point begun_ = Clock::now();
   Clock::time_point shown_ = Clock::now();
   Clock::time_point polled_ = Clock::now();

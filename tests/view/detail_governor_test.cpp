@@ -66,6 +66,13 @@ TEST(DetailGovernor, RemembersASlowDevice) {
   EXPECT_NE(governor.detail(), kFinest);
 }
 
+TEST(DetailGovernor, DrawsAFrameThatStaysFinerThanOneThatMoves) {
+  DetailGovernor governor({60, 60, 3});
+  EXPECT_NE(governor.detail(), kFinest);
+  EXPECT_EQ(governor.still(), kFinest);
+  EXPECT_EQ(DetailGovernor(kHuge).still().style, StrutStyle::lines);
+}
+
 TEST(DetailGovernor, DoesNotTryALevelThatWouldBeLate) {
   DetailGovernor governor(kHuge);
   const Detail before = governor.detail();
