@@ -14,7 +14,7 @@ void handleKeys(const Snapshot& snapshot, ViewState& state, Session& session,
 /// Of the scene: turns, moves and zooms, by mouse and keys. Returns the pixel of a click, if there
 /// was one.
 std::optional<glm::dvec2> handleCamera(const Window& window, OrbitCamera& camera,
-                                       const Eigen::AlignedBox3d& extent,
-                                       const View& view, const SceneArea& area);
+                                       const Eigen::AlignedBox3d& extent, const View& view,
+                                       const SceneArea& area);
 
 }  // namespace morphgrid

@@ -171,15 +171,18 @@ class Viewer {
       scene_.setImages(presenter_.size(), presenter_.views());
     }
     frameNewExtent();
-    interface_.build([&] { build(); });
-    const std::vector<DrawnGrid> grids = drawnGrids();
+    std::vector<DrawnGrid> grids;
+    interface_.build([&] {
+      build();
+      grids = drawnGrids();  // As the user has just chosen; the legend tells of them.
+      buildOverlay();
+    });
     const auto begin = Clock::now();
-    const bool shown =
-        presenter_.present([&](const vk::raii::CommandBuffer& commands, std::size_t image) {
-          scene_.record(commands, image, detail().samples, grids, shownSampling(),
-                        cameraNow(), area());
-          interface_.record(commands, image);
-        });
+    const bool shown = presenter_.present([&](const vk::raii::CommandBuffer& commands,
+                                              std::size_t image) {
+      scene_.record(commands, image, detail().samples, grids, shownSampling(), cameraNow(), area());
+      interface_.record(commands, image);
+    });
     presenter_.waitForLast();
     if (!isStill()) {
       governor_.update(secondsBetween(begin, Clock::now()));
@@ -220,7 +223,6 @@ class Viewer {
       ImGui::GetForegroundDrawList()->AddText({static_cast<float>(area().left) + 12, 8},
                                               IM_COL32(40, 44, 52, 255), picture_.c_str());
     }
-    buildOverlay();
   }
 
   void buildOverlay() {
