@@ -281,7 +281,7 @@ void LiveRun::design(const Scene& scene, const SceneDesign& designed) {
   if (designed.targets) {
     target.emplace();
     target->grid =
-        std::make_shared<StrutGrid>(targetGrid(shape, designed.design.spacing, *designed.targets));
+        std::make_shared<StrutGrid>(layerAtRest(shape, designed.design.spacing, *designed.targets));
     target->onDevice = std::make_shared<DeviceGrid>(*device_, *target->grid);
     target->positions = std::make_shared<Eigen::Matrix3Xd>(*designed.targets);
     reference_ = target->positions;

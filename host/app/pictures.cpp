@@ -25,16 +25,6 @@ StrutValues dividedBy(StrutValues values, double divisor) {
 
 }  // namespace
 
-StrutGrid targetGrid(const GridShape& shape, double spacing, const Eigen::Matrix3Xd& targets) {
-  const GridShape layer{shape.verticesU, shape.verticesV, 1};
-  StrutGrid grid{layer, spacing, targets, StrutValues(layer), StrutValues(layer), 1.0};
-  for (const Strut& strut : listStruts(layer)) {
-    valueAt(grid.rest, strut) = (targets.col(strut.to) - targets.col(strut.from)).norm();
-    valueAt(grid.stiffness, strut) = 1;
-  }
-  return grid;
-}
-
 Pictures::Pictures(const Device& device, const PictureOptions& picture, ShowPanel show,
                    View resultView)
     : device_(device),

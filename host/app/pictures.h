@@ -13,10 +13,6 @@ namespace morphgrid {
 /// What becomes of a drawn panel; its name is that of a file without an extension.
 using ShowPanel = std::function<void(const std::string& name, const Panel& panel)>;
 
-/// The target as a grid of one layer at rest, so that it is drawn by the same pipeline as the
-/// result. targets: 3 x layerVertexCount.
-StrutGrid targetGrid(const GridShape& shape, double spacing, const Eigen::Matrix3Xd& targets);
-
 /// Draws the panels of a run, from the solver's buffers.
 class Pictures {
  public:

@@ -1,0 +1,53 @@
+#include "gpu/command_stream.h"
+
+#include <gtest/gtest.h>
+
+#include <numeric>
+
+#include "gpu/submission_pace.h"
+
+namespace morphgrid {
+namespace {
+
+/// As for windows, but for none.
+DeviceOptions sharedDevice() {
+  DeviceOptions options{.selection = "", .validation = true};
+  options.presentation =
+      Presentation{{VK_KHR_SURFACE_EXTENSION_NAME},
+                   [](VkInstance, VkPhysicalDevice, std::uint32_t) { return true; }};
+  return options;
+}
+
+TEST(CommandStream, CutIntoPartsDoesTheSame) {
+  const Device device(sharedDevice());
+  ASSERT_NE(device.pace(), nullptr);
+  for (int n = 0; n < 50; ++n) {
+    device.pace()->learn(1, 1, device.pace()->frameEvents());  // As short as can be.
+  }
+  constexpr int kCount = 1 << 16;
+  constexpr vk::DeviceSize kBytes = kCount * sizeof(int);
+  using Usage = vk::BufferUsageFlagBits;
+  const Buffer a(device, kBytes, Usage::eTransferSrc | Usage::eTransferDst, MemoryKind::device);
+  const Buffer b(device, kBytes, Usage::eTransferSrc | Usage::eTransferDst, MemoryKind::device);
+  std::vector<int> numbers(kCount);
+  std::iota(numbers.begin(), numbers.end(), 7);
+  upload(device, a, numbers);
+
+  // Each copy moves the numbers on by one place: all must run, in their order.
+  constexpr int kCopies = 101;
+  CommandStream stream(device);
+  for (int run = 0; run < 2; ++run) {
+    stream.begin();
+    for (int n = 0; n < kCopies; ++n) {
+      stream.copy(n % 2 == 0 ? a : b, n % 2 == 0 ? b : a, kBytes - sizeof(int), sizeof(int));
+    }
+    stream.end();
+  }
+  stream.submitAndWait();
+
+  EXPECT_EQ(download<int>(device, b, 1).front(), 7 + kCopies);
+  EXPECT_TRUE(device.validationMessages().empty());
+}
+
+}  // namespace
+}  // namespace morphgrid
