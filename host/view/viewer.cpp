@@ -140,13 +140,12 @@ class Viewer {
             std::max(1, static_cast<int>(size.height))};
   }
 
-  /// Frames what is shown for the first time, and again when there is more of it.
+  /// Frames all that there is, until the user looks elsewhere.
   void frameNewExtent() {
     const Eigen::AlignedBox3d& extent = snapshot_->extent;
-    if (!extent.isEmpty() && snapshot_->runs != framedRun_ && !isFramed_) {
+    if (!extent.isEmpty() && !userLooks_ && !(framed_.isApprox(extent))) {
       camera_.frame(extent, snapshot_->view, area().aspect());
-      framedRun_ = snapshot_->runs;
-      isFramed_ = true;
+      framed_ = extent;
     }
   }
 
@@ -208,7 +207,10 @@ class Viewer {
                                 [&] { savePicture(); }};
     handleKeys(*snapshot_, state_, session_, actions, window_);
     if (!snapshot_->extent.isEmpty()) {
+      const OrbitCamera before = camera_;
       const auto click = handleCamera(window_, camera_, snapshot_->extent, snapshot_->view, area());
+      userLooks_ |= before.distance() != camera_.distance() || before.pivot() != camera_.pivot() ||
+                    before.rotation() != camera_.rotation();
       if (click) {
         pick(*click);
       }
@@ -382,8 +384,8 @@ class Viewer {
   std::string picture_;  ///< What became of the last one that was saved.
   int generation_ = 0;
   int framesLeft_ = kFramesAfterEvent;
-  long framedRun_ = 0;
-  bool isFramed_ = false;
+  Eigen::AlignedBox3d framed_;
+  bool userLooks_ = false;     ///< The camera is where the user has put it.
   bool isNew_ = true;          ///< The snapshot is not the last one's.
   bool isStillShown_ = false;  ///< What stands in the window needs no other frame.
   Clock::time_point begun_ = Clock::now();
