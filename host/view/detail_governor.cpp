@@ -17,9 +17,10 @@ constexpr double kPlainFrameCost = 0.007;
 constexpr double kRibbonCost = 2e-6;
 constexpr double kPlainRibbonCost = 1e-6;
 constexpr double kLineCost = 0.4e-6;
-constexpr int kFewestLines = 8;   // Each way.
-constexpr int kFewestFrames = 6;  // At a level, before it is judged.
-constexpr int kManyFrames = 40;   // At a level, before a finer one is tried.
+constexpr double kWorthwhile = 0.9;  // Of a level's cost: a coarser one that spares less is none.
+constexpr int kFewestLines = 8;      // Each way.
+constexpr int kFewestFrames = 6;     // At a level, before it is judged.
+constexpr int kManyFrames = 40;      // At a level, before a finer one is tried.
 
 double strutsDrawn(const GridShape& shape, int stride) {
   const GridShape drawn{(shape.verticesU - 2) / stride + 2, (shape.verticesV - 2) / stride + 2,
@@ -59,18 +60,14 @@ double DetailGovernor::cost(const Detail& detail) const {
          (detail.style == StrutStyle::lines ? kLineCost : kPlainRibbonCost) * struts;
 }
 
-Detail DetailGovernor::coarser(Detail detail) const {
-  if (detail.samples > 1) {
-    return {StrutStyle::ribbons, 1, 1};
-  }
-  if (detail.style == StrutStyle::ribbons) {
-    return {StrutStyle::lines, 1, 1};
+Detail DetailGovernor::coarser(const Detail& detail) const {
+  Detail next{StrutStyle::lines, 1, 2 * detail.stride};
+  if (detail.samples > 1 || detail.style == StrutStyle::ribbons) {
+    next = {detail.samples > 1 ? StrutStyle::ribbons : StrutStyle::lines, 1, 1};
   }
   const int shorterSide = std::min(shape_.verticesU, shape_.verticesV) - 1;
-  if (2 * detail.stride * kFewestLines <= shorterSide) {
-    detail.stride *= 2;
-  }
-  return detail;
+  const bool isTooCoarse = next.stride > 1 && next.stride * kFewestLines > shorterSide;
+  return isTooCoarse || cost(next) > kWorthwhile * cost(detail) ? detail : next;
 }
 
 Detail DetailGovernor::finer(Detail detail) const {

@@ -30,7 +30,8 @@ class DetailGovernor {
 
  private:
   double cost(const Detail& detail) const;
-  Detail coarser(Detail detail) const;
+  /// The same where a coarser one would spare too little.
+  Detail coarser(const Detail& detail) const;
   Detail finer(Detail detail) const;
   void change(const Detail& detail);
   Detail finestWithin(double seconds) const;

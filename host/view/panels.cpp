@@ -170,7 +170,7 @@ std::optional<std::string> drawKnob(const Knob& knob) {
 }
 
 /// As TOML wants floating-point numbers: with a point or an exponent.
-std::string toTomlNumber(const Knob& knob, std::string text) {
+std::string toTomlNumber(const Knob& knob, const std::string& text) {
   const bool isWhole = text.find_first_of(".e\"") == std::string::npos;
   return isWhole && !knob.isInteger ? text + ".0" : text;
 }

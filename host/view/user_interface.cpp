@@ -58,12 +58,12 @@ void setStyle() {
 void loadFont() {
   ImFontConfig config;
   config.OversampleH = 1;  // Whole pixels: sharper at this size.
-  static const ImWchar ranges[] = {0x0020, 0x00FF, 0x0370, 0x03FF, 0x2010, 0x2044,
-                                   0x2190, 0x21FF, 0x2212, 0x2212, 0};
+  static const ImWchar kLetters[] = {0x0020, 0x00FF, 0x0370, 0x03FF, 0x2010, 0x2044,
+                                     0x2190, 0x21FF, 0x2212, 0x2212, 0};
   ImFontAtlas& fonts = *ImGui::GetIO().Fonts;
-  fonts.AddFontFromFileTTF(Font::sansFile().c_str(), kTextSize, &config, ranges);
+  fonts.AddFontFromFileTTF(Font::sansFile().c_str(), kTextSize, &config, kLetters);
   // The last font is for tables.
-  fonts.AddFontFromFileTTF(Font::monoFile().c_str(), kTableSize, &config, ranges);
+  fonts.AddFontFromFileTTF(Font::monoFile().c_str(), kTableSize, &config, kLetters);
 }
 
 void uploadFont(const Device& device) {

@@ -90,6 +90,7 @@ TEST_F(ViewerWindow, StepsThroughTheStagesByKeys) {
   desktop_.press("1");  // There is no target: nothing changes.
   desktop_.press("6");
   EXPECT_NE(desktop_.awaitWindow("^Dome, warped:"), "");
+  desktop_.run("sleep 1");  // A picture that stays is drawn finer.
   expectGolden("viewer_window");
   expectQuit(*viewer);
 }
