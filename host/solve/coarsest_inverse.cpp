@@ -3,7 +3,10 @@
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
+#include <Eigen/LU>
 #include <Eigen/QR>
+#include <utility>
+#include <vector>
 
 #include "core/error.h"
 
@@ -37,7 +40,54 @@ Matrix6d holdingFreeMotions(const Matrix6d& block) {
          scaling;
 }
 
+/// Of A - s E E^T + s R R^T, given that of A: E the six motions of a point, R others. Woodbury.
+void exchangeStiffness(MatrixXd& inverse, Eigen::Index point, const MatrixXd& motions,
+                       double stiffness) {
+  const Eigen::Index count = motions.cols();
+  MatrixXd changed = MatrixXd::Zero(inverse.rows(), 6 + count);
+  changed.block<6, 6>(point, 0).setIdentity();
+  changed.rightCols(count) = motions;
+  const MatrixXd moved = inverse * changed;
+  MatrixXd small = changed.transpose() * moved;
+  small.diagonal().head<6>().array() -= 1 / stiffness;
+  small.diagonal().tail(count).array() += 1 / stiffness;
+  inverse -= moved * small.fullPivLu().solve(moved.transpose());
+}
+
 }  // namespace
+
+std::optional<MatrixXd> invertBlockTridiagonal(const MatrixXd& matrix, Eigen::Index blockSize) {
+  const Eigen::Index b = blockSize;
+  const Eigen::Index size = matrix.rows();
+  std::vector<MatrixXd> pivots;   // Inverse Schur complements S_n^-1.
+  std::vector<MatrixXd> factors;  // A_(n+1,n) S_n^-1
+  MatrixXd schur = matrix.topLeftCorner(b, b);
+  for (Eigen::Index at = 0;; at += b) {
+    const Eigen::LLT<MatrixXd> cholesky(schur);
+    if (cholesky.info() != Eigen::Success) {
+      return std::nullopt;
+    }
+    pivots.push_back(cholesky.solve(MatrixXd::Identity(b, b)));
+    if (at + b == size) {
+      break;
+    }
+    const auto below = matrix.block(at + b, at, b, b);
+    factors.push_back(below * pivots.back());
+    schur = matrix.block(at + b, at + b, b, b) - factors.back() * below.transpose();
+  }
+  MatrixXd inverse(size, size);
+  inverse.bottomRightCorner(b, b) = pivots.back();
+  for (auto n = static_cast<Eigen::Index>(factors.size()); n-- > 0;) {
+    const MatrixXd& factor = factors[static_cast<std::size_t>(n)];
+    const Eigen::Index at = n * b;
+    const Eigen::Index next = at + b;
+    auto right = inverse.block(at, next, b, size - next);
+    right.noalias() = -factor.transpose() * inverse.block(next, next, b, size - next);
+    inverse.block(at, at, b, b) = pivots[static_cast<std::size_t>(n)] - right.leftCols(b) * factor;
+    inverse.block(next, at, size - next, b) = right.transpose();
+  }
+  return inverse;
+}
 
 MatrixXd orthonormalRigidMotions(const Eigen::Matrix3Xd& centres) {
   const Vector3d middle = centres.rowwise().mean();
@@ -53,22 +103,26 @@ MatrixXd orthonormalRigidMotions(const Eigen::Matrix3Xd& centres) {
          MatrixXd::Identity(motions.rows(), 6);
 }
 
-MatrixXd computeCoarsestInverse(const MatrixXd& matrix, const Eigen::Matrix3Xd& centres) {
+MatrixXd computeCoarsestInverse(const MatrixXd& matrix, const Eigen::Matrix3Xd& centres,
+                                Eigen::Index pointsPerRow) {
   if (!matrix.allFinite()) {
     throw DeviceError("the multigrid solver's coarsest matrix is not finite");
   }
-  const MatrixXd rigid = orthonormalRigidMotions(centres);
-  MatrixXd definite = matrix + matrix.diagonal().mean() * rigid * rigid.transpose();
+  const double stiffness = matrix.diagonal().mean();
+  MatrixXd held = matrix;
   for (Eigen::Index n = 0; n < matrix.rows(); n += 6) {
-    definite.block<6, 6>(n, n) += holdingFreeMotions(matrix.block<6, 6>(n, n));
+    held.block<6, 6>(n, n) += holdingFreeMotions(matrix.block<6, 6>(n, n));
   }
-  const MatrixXd identity = MatrixXd::Identity(matrix.rows(), matrix.cols());
+  // Rigid motions would couple all rows: a point that is held takes their place until the inverse
+  // is there.
+  const Eigen::Index heldPoint = 6 * (centres.cols() / 2);
+  held.block<6, 6>(heldPoint, heldPoint).diagonal().array() += stiffness;
   for (double shift = kLeastShift;; shift *= 10) {
-    MatrixXd shifted = definite;
-    shifted.diagonal() += shift * definite.diagonal();
-    const Eigen::LLT<MatrixXd> factors(shifted);
-    if (factors.info() == Eigen::Success) {
-      return factors.solve(identity);
+    MatrixXd shifted = held;
+    shifted.diagonal() += shift * held.diagonal();
+    if (auto inverse = invertBlockTridiagonal(shifted, 6 * pointsPerRow)) {
+      exchangeStiffness(*inverse, heldPoint, orthonormalRigidMotions(centres), stiffness);
+      return std::move(*inverse);
     }
   }
 }

@@ -305,7 +305,7 @@ MatrixXd denseCycle(const Levels& levels, std::size_t n) {
   const PointLevel& level = levels.level(n);
   const MatrixXd a = downloadMatrix(levels.device, level);
   if (n + 1 == levels.coarse.levels().size()) {
-    return computeCoarsestInverse(a, levels.centres[n]);
+    return computeCoarsestInverse(a, levels.centres[n], levels.centres[n].cols());
   }
   const MatrixXd smoothing = level.smoothingWeight() * downloadInverse(levels.device, level);
   const MatrixXd identity = MatrixXd::Identity(a.rows(), a.cols());

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Core>
+#include <Eigen/QR>
 #include <limits>
 
 #include "core/error.h"
@@ -40,7 +41,7 @@ TEST(CoarsestInverse, RigidMotionsAreOrthonormal) {
 TEST(CoarsestInverse, InvertsWhatIsNotRigidAndHoldsTheRest) {
   const MatrixXd matrix = freeMatrix();
   const MatrixXd rigid = orthonormalRigidMotions(points());
-  const MatrixXd inverse = computeCoarsestInverse(matrix, points());
+  const MatrixXd inverse = computeCoarsestInverse(matrix, points(), 4);
   EXPECT_TRUE((matrix * inverse * matrix).isApprox(matrix, 1e-5));
   EXPECT_TRUE((inverse * rigid).isApprox(rigid / matrix.diagonal().mean(), 1e-5));
 }
@@ -51,15 +52,59 @@ TEST(CoarsestInverse, HoldsMotionsThatNothingHolds) {
     matrix.row(unknown).setZero();
     matrix.col(unknown).setZero();
   }
-  const MatrixXd inverse = computeCoarsestInverse(matrix, points());
+  const MatrixXd inverse = computeCoarsestInverse(matrix, points(), 4);
   EXPECT_TRUE(inverse.isApprox(inverse.transpose(), 1e-9));
   EXPECT_LT(inverse.diagonal()(2), 2);
+}
+
+/// Positive definite, when shift > 0 is large enough.
+MatrixXd blockTridiagonal(Eigen::Index blocks, Eigen::Index b, double shift) {
+  MatrixXd matrix = MatrixXd::Zero(blocks * b, blocks * b);
+  for (Eigen::Index n = 0; n < blocks; ++n) {
+    matrix.block(n * b, n * b, b, b) = MatrixXd::Random(b, b);
+    if (n > 0) {
+      matrix.block(n * b, (n - 1) * b, b, b) = MatrixXd::Random(b, b);
+    }
+  }
+  return matrix + matrix.transpose().eval() + shift * MatrixXd::Identity(blocks * b, blocks * b);
+}
+
+TEST(BlockTridiagonal, IsInvertedAsAWhole) {
+  for (const Eigen::Index blocks : {1, 2, 5}) {
+    const MatrixXd matrix = blockTridiagonal(blocks, 6, 20);
+    const auto inverse = invertBlockTridiagonal(matrix, 6);
+    ASSERT_TRUE(inverse);
+    EXPECT_TRUE((*inverse * matrix).isIdentity(1e-12)) << blocks;
+    EXPECT_TRUE(inverse->isApprox(inverse->transpose(), 1e-14)) << blocks;
+  }
+}
+
+TEST(BlockTridiagonal, IsRefusedWhenIndefinite) {
+  EXPECT_FALSE(invertBlockTridiagonal(blockTridiagonal(4, 6, 0), 6));
+}
+
+TEST(CoarsestInverse, OfRowsIsThatOfTheWhole) {
+  Matrix3Xd centres = Matrix3Xd::Random(3, 12);
+  // Springs between neighbouring rows, which rigid motions leave at rest.
+  const MatrixXd rigid = orthonormalRigidMotions(centres);
+  MatrixXd matrix = MatrixXd::Zero(72, 72);
+  for (int row = 0; row < 3; ++row) {
+    const Eigen::Index first = 18 * row;
+    const MatrixXd part = rigid.middleRows(first, 36);
+    const MatrixXd basis =
+        Eigen::HouseholderQR<MatrixXd>(part).householderQ() * MatrixXd::Identity(36, 6);
+    matrix.block(first, first, 36, 36) += MatrixXd::Identity(36, 36) - basis * basis.transpose();
+  }
+  const MatrixXd byRows = computeCoarsestInverse(matrix, centres, 3);
+  const MatrixXd whole = computeCoarsestInverse(matrix, centres, 12);
+  EXPECT_TRUE(byRows.isApprox(whole, 1e-9));
+  EXPECT_TRUE((matrix * byRows * matrix).isApprox(matrix, 1e-5));
 }
 
 TEST(CoarsestInverse, RefusesWhatIsNotFinite) {
   MatrixXd matrix = freeMatrix();
   matrix(3, 3) = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_THROW(computeCoarsestInverse(matrix, points()), DeviceError);
+  EXPECT_THROW(computeCoarsestInverse(matrix, points(), 4), DeviceError);
 }
 
 }  // namespace
