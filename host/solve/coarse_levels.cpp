@@ -12,10 +12,12 @@ namespace {
 /// So few points are solved directly: inverting their matrix, in time that grows with their number
 /// to the power 2.5, takes the host less than a cycle takes the device. More would spare cycles,
 /// but the inverse takes memory that grows with their square.
-int coarsestPoints(const GridShape& shape) {
+bool areSolvedDirectly(const PointGrid& points, const GridShape& shape) {
   constexpr int kLeast = 36;
   constexpr double kPerCubeRoot = 4.4;
-  return std::max(kLeast, static_cast<int>(kPerCubeRoot * std::cbrt(shape.vertexCount())));
+  const int most =
+      std::max(kLeast, static_cast<int>(kPerCubeRoot * std::cbrt(shape.vertexCount())));
+  return points.count() <= most || coarsened(points) == points;
 }
 
 /// Every strut and corner spans at most three columns, and four points of a coarser level, so no
@@ -78,6 +80,14 @@ std::vector<vec4> packInverse(const Eigen::MatrixXd& inverse) {
 
 }  // namespace
 
+PointGrid coarsestPoints(const GridShape& shape) {
+  PointGrid points{shape.verticesU, shape.verticesV};
+  while (!areSolvedDirectly(points, shape)) {
+    points = coarsened(points);
+  }
+  return points;
+}
+
 CoarseLevels::CoarseLevels(const Device& device, const DeviceGrid& grid, const Buffer& positions,
                            const Buffer& residual, const Buffer& correction)
     : device_(device), resolution_(grid.resolution()), stream_(device), kernels_(device) {
@@ -103,9 +113,8 @@ CoarseLevels::CoarseLevels(const Device& device, const DeviceGrid& grid, const B
 
 void CoarseLevels::createLevels(const DeviceGrid& grid) {
   PointGrid points{grid.shape().verticesU, grid.shape().verticesV};
-  const int solvedDirectly = coarsestPoints(grid.shape());
   for (double bound = kColumnSpectralRadius;; bound = kPointSpectralRadius) {
-    const bool coarsest = points.count() <= solvedDirectly || coarsened(points) == points;
+    const bool coarsest = areSolvedDirectly(points, grid.shape());
     levels_.push_back(std::make_unique<const PointLevel>(
         device_, kernels_, points, coarsest ? MemoryKind::host : MemoryKind::device, bound));
     if (coarsest) {

@@ -7,6 +7,9 @@
 
 namespace morphgrid {
 
+/// Of the level that is solved directly.
+PointGrid coarsestPoints(const GridShape& shape);
+
 /// All levels of multigrid but the finest: columns of vertices that move rigidly, then every second
 /// of their rigid motions, and so on, each with a matrix P^T A P of the level above; the coarsest
 /// one is solved directly. Everything is allocated once; two runs on one device give the same bits.

@@ -4,6 +4,7 @@
 
 #include "shared/multigrid_types.h"
 #include "shared/solver_types.h"
+#include "solve/coarse_levels.h"
 #include "solve/point_kernel.h"
 
 namespace morphgrid {
@@ -33,11 +34,17 @@ std::uint64_t points(const GridShape& shape) {
   return std::uint64_t(shape.verticesU) * shape.verticesV * 4 / 3;
 }
 
+/// The coarsest matrix's inverse, and its copy on the way to the device.
+std::uint64_t inverseTexels(const GridShape& shape) {
+  const auto halfMotions = static_cast<std::uint64_t>(2 * coarsestPoints(shape).count());
+  return 2 * 3 * halfMotions * halfMotions;
+}
+
 }  // namespace
 
 SolveMemory multigridMemory(const GridShape& shape) {
   const std::uint64_t texels = (kGridTexels + kStagingTexels + kDescentTexels) * vertices(shape) +
-                               kPointTexels * points(shape);
+                               kPointTexels * points(shape) + inverseTexels(shape);
   const auto partTexels = [&](int rows) {
     return kPartTexels * static_cast<std::uint64_t>(shape.verticesU) *
            static_cast<std::uint64_t>(rows);
