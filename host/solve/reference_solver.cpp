@@ -17,7 +17,7 @@ namespace {
 using Eigen::Matrix3Xd;
 using Clock = std::chrono::steady_clock;
 
-constexpr std::size_t kPairs = 8;
+constexpr std::size_t kRememberedPairs = 8;
 constexpr int kMostTrials = 30;
 constexpr double kArmijo = 1e-4;
 // Near the minimum the energy's rounding hides its decrease; there the slope decides (approximate
@@ -42,7 +42,7 @@ class LimitedMemory {
       return;
     }
     pairs_.push_back({std::move(step), std::move(gradientChange), 1 / curvature});
-    if (pairs_.size() > kPairs) {
+    if (pairs_.size() > kRememberedPairs) {
       pairs_.pop_front();
     }
   }

@@ -25,10 +25,10 @@ TEST(CommandStream, CutIntoPartsDoesTheSame) {
     device.pace()->learn(1, 1, device.pace()->frameEvents());  // As short as can be.
   }
   constexpr int kCount = 1 << 16;
-  constexpr vk::DeviceSize kBytes = kCount * sizeof(int);
+  constexpr vk::DeviceSize kSize = kCount * sizeof(int);
   using Usage = vk::BufferUsageFlagBits;
-  const Buffer a(device, kBytes, Usage::eTransferSrc | Usage::eTransferDst, MemoryKind::device);
-  const Buffer b(device, kBytes, Usage::eTransferSrc | Usage::eTransferDst, MemoryKind::device);
+  const Buffer a(device, kSize, Usage::eTransferSrc | Usage::eTransferDst, MemoryKind::device);
+  const Buffer b(device, kSize, Usage::eTransferSrc | Usage::eTransferDst, MemoryKind::device);
   std::vector<int> numbers(kCount);
   std::iota(numbers.begin(), numbers.end(), 7);
   upload(device, a, numbers);
@@ -39,7 +39,7 @@ TEST(CommandStream, CutIntoPartsDoesTheSame) {
   for (int run = 0; run < 2; ++run) {
     stream.begin();
     for (int n = 0; n < kCopies; ++n) {
-      stream.copy(n % 2 == 0 ? a : b, n % 2 == 0 ? b : a, kBytes - sizeof(int), sizeof(int));
+      stream.copy(n % 2 == 0 ? a : b, n % 2 == 0 ? b : a, kSize - sizeof(int), sizeof(int));
     }
     stream.end();
   }

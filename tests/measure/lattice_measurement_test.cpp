@@ -16,11 +16,11 @@ namespace {
 using testing::HasSubstr;
 
 constexpr SamplingBox kUnitBox{-0.5, -0.5, 1, 1};
-constexpr double kNoLimit = 1e300;
+constexpr double kNoCutoff = 1e300;
 
 double paraboloid(double y, double z) { return (y * y + 0.5 * z * z) / 2; }
 double saddle(double y, double z) { return (y * y - z * z) / 2; }
-double sphere(double y, double z) { return -std::sqrt(1 - y * y - z * z); }
+double hemisphere(double y, double z) { return -std::sqrt(1 - y * y - z * z); }
 
 /// kappa of x = a y^2 / 2 at y.
 double parabolaCurvature(double a, double y) { return a / std::pow(1 + a * a * y * y, 1.5); }
@@ -76,7 +76,8 @@ TEST(SurveyLattice, IsolinesOfASphereConvergeAtSecondOrder) {
   const double radius = std::sqrt(0.75);
   const double exact = 2 * radius * std::asin(0.5 / radius);
   const auto error = [&](int count) {
-    const SurfaceSurvey survey = surveyLattice(hitsOn(sphere, kUnitBox, count, count), 0).survey;
+    const SurfaceSurvey survey =
+        surveyLattice(hitsOn(hemisphere, kUnitBox, count, count), 0).survey;
     EXPECT_NEAR(survey.longestIsolineU, survey.longestIsolineV, 1e-14);
     return exact - survey.longestIsolineU;
   };
@@ -86,7 +87,8 @@ TEST(SurveyLattice, IsolinesOfASphereConvergeAtSecondOrder) {
 TEST(SurveyLattice, CurvatureOfASphereConverges) {
   // Largest on the smallest circles, along the box's edges.
   const auto error = [](int count) {
-    const SurfaceSurvey survey = surveyLattice(hitsOn(sphere, kUnitBox, count, count), 0).survey;
+    const SurfaceSurvey survey =
+        surveyLattice(hitsOn(hemisphere, kUnitBox, count, count), 0).survey;
     return std::abs(survey.largestCurvature() - 1 / std::sqrt(0.75));
   };
   EXPECT_NEAR(std::log2(error(41) / error(81)), 1, 0.2);
@@ -122,7 +124,7 @@ TEST(SurveyLattice, RefusesRaysThatRoundToOne) {
 TEST(MeasureLattice, GivesChordsTargetsAndCurvatureOfAParaboloid) {
   // The spline is exact on parabolas, ends included.
   const PointLattice hits = hitsOn(paraboloid, {-0.4, -1, 1.4, 2}, 8, 6);
-  const SurfaceMeasurement m = measureLattice(hits, kNoLimit, 0);
+  const SurfaceMeasurement m = measureLattice(hits, kNoCutoff, 0);
   ASSERT_EQ(m.nodesU, 7);
   ASSERT_EQ(m.nodesV, 5);
   EXPECT_EQ(m.points, hits.points);
@@ -148,7 +150,7 @@ TEST(MeasureLattice, GivesChordsTargetsAndCurvatureOfAParaboloid) {
 }
 
 TEST(MeasureLattice, BendsTowardsTheNormalArePositive) {
-  const SurfaceMeasurement m = measureLattice(hitsOn(saddle, kUnitBox, 9, 9), kNoLimit, 0);
+  const SurfaceMeasurement m = measureLattice(hitsOn(saddle, kUnitBox, 9, 9), kNoCutoff, 0);
   for (int j = 0; j < 9; ++j) {
     for (int i = 0; i < 8; ++i) {
       EXPECT_GT(m.curvatures.u(i, j), 0.5);
@@ -160,8 +162,8 @@ TEST(MeasureLattice, BendsTowardsTheNormalArePositive) {
 /// Isolines of a unit sphere run on circles. Errors of kappa along u, the largest of inner and of
 /// end segments.
 std::pair<double, double> errorsOnSphere(int count) {
-  const PointLattice hits = hitsOn(sphere, kUnitBox, count, count);
-  const SurfaceMeasurement m = measureLattice(hits, kNoLimit, 0);
+  const PointLattice hits = hitsOn(hemisphere, kUnitBox, count, count);
+  const SurfaceMeasurement m = measureLattice(hits, kNoCutoff, 0);
   double inner = 0;
   double ends = 0;
   for (int j = 0; j <= m.nodesV; ++j) {
@@ -184,7 +186,7 @@ TEST(MeasureLattice, CurvatureOfASphereConvergesAtItsOrder) {
 TEST(MeasureLattice, CapsTheMeanOfAStrut) {
   // From kappa 1 at y = 0 down to 0.35 at y = 1: the mean is under a limit that samples are over.
   const PointLattice hits = hitsOn([](double y, double) { return y * y / 2; }, {0, 0, 2, 1}, 3, 2);
-  const double mean = measureLattice(hits, kNoLimit, 0).curvatures.u(0, 0);
+  const double mean = measureLattice(hits, kNoCutoff, 0).curvatures.u(0, 0);
   ASSERT_LT(mean, 0.9);
   EXPECT_EQ(measureLattice(hits, 0.9, 0).curvatures.u(0, 0), mean);
   EXPECT_EQ(measureLattice(hits, 0.5, 0).curvatures.u(0, 0), 0.5);
@@ -208,9 +210,9 @@ TEST(MeasureLattice, RigidMotionChangesNothing) {
 
 TEST(MeasureLattice, AMirrorTurnsTheSigns) {
   const PointLattice hits = hitsOn(saddle, {-0.3, -0.5, 1, 1}, 7, 9);
-  SurfaceMeasurement m = measureLattice(hits, kNoLimit, 0);
+  SurfaceMeasurement m = measureLattice(hits, kNoCutoff, 0);
   const SurfaceMeasurement mirrored =
-      measureLattice(moved(Eigen::Affine3d(Eigen::Scaling(-1.0, 1.0, 1.0)), hits), kNoLimit, 0);
+      measureLattice(moved(Eigen::Affine3d(Eigen::Scaling(-1.0, 1.0, 1.0)), hits), kNoCutoff, 0);
   for (int j = 0; j <= m.nodesV; ++j) {
     for (int i = 0; i < m.nodesU; ++i) {
       EXPECT_EQ(mirrored.curvatures.u(i, j), -m.curvatures.u(i, j));
@@ -239,9 +241,9 @@ TEST(Smoothing, LeavesConstantCurvatureAlone) {
   // So shallow that kappa is constant to 1e-8.
   const PointLattice hits =
       hitsOn([](double y, double z) { return 1e-4 * (y * y - 2 * z * z) / 2; }, kUnitBox, 30, 20);
-  const SurfaceMeasurement rough = measureLattice(hits, kNoLimit, 0);
+  const SurfaceMeasurement rough = measureLattice(hits, kNoCutoff, 0);
   for (const double width : {1e-3, 0.2, 10.0}) {
-    const SurfaceMeasurement smooth = measureLattice(hits, kNoLimit, width);
+    const SurfaceMeasurement smooth = measureLattice(hits, kNoCutoff, width);
     EXPECT_LT(distance(rough.curvatures, smooth.curvatures), 1e-11);
     EXPECT_EQ(distance(rough.chords, smooth.chords), 0);
   }
@@ -254,8 +256,8 @@ TEST(Smoothing, DampsAWaveAsAGaussianOfItsWidthDoes) {
   constexpr double kWidth = 0.3;
   const PointLattice hits = hitsOn([](double y, double) { return 1e-5 * std::cos(kFrequency * y); },
                                    {-2, 0, 4, 1}, 401, 2);
-  const SurfaceMeasurement rough = measureLattice(hits, kNoLimit, 0);
-  const SurfaceMeasurement smooth = measureLattice(hits, kNoLimit, kWidth);
+  const SurfaceMeasurement rough = measureLattice(hits, kNoCutoff, 0);
+  const SurfaceMeasurement smooth = measureLattice(hits, kNoCutoff, kWidth);
   const double damping = std::exp(-std::pow(kWidth / 2 * kFrequency, 2) / 2);
   for (int i = 100; i < 300; ++i) {  // More than three widths from the ends.
     EXPECT_NEAR(smooth.curvatures.u(i, 0), damping * rough.curvatures.u(i, 0), 1e-8);
@@ -264,8 +266,8 @@ TEST(Smoothing, DampsAWaveAsAGaussianOfItsWidthDoes) {
 
 TEST(Smoothing, ANarrowWidthGivesTheMeanOfASegment) {
   const PointLattice hits = hitsOn(saddle, kUnitBox, 9, 7);
-  EXPECT_LT(distance(measureLattice(hits, kNoLimit, 1e-200).curvatures,
-                     measureLattice(hits, kNoLimit, 0).curvatures),
+  EXPECT_LT(distance(measureLattice(hits, kNoCutoff, 1e-200).curvatures,
+                     measureLattice(hits, kNoCutoff, 0).curvatures),
             1e-14);
 }
 
@@ -275,7 +277,7 @@ TEST(Smoothing, AVastWidthSpreadsTheTurnOfAnIsolineOverItsLength) {
   const PointLattice hits =
       hitsOn([](double y, double) { return y * y / 2; }, {0, 0, 2, 1}, 101, 2);
   const double length = surveyLattice(hits, 0).survey.longestIsolineU;
-  const SurfaceMeasurement m = measureLattice(hits, kNoLimit, 1e6);
+  const SurfaceMeasurement m = measureLattice(hits, kNoCutoff, 1e6);
   EXPECT_NEAR(m.curvatures.u(0, 0) * length, std::atan(2), 1e-4);
   EXPECT_NEAR(m.curvatures.u(99, 1) * length, std::atan(2), 1e-4);
 }
@@ -286,7 +288,7 @@ TEST(Smoothing, ComesBeforeTheCap) {
   const PointLattice hits = hitsOn(crease, kUnitBox, 21, 2);
   const double limit = surveyLattice(hits, 0.5).survey.largestCurvature();
   const SurfaceMeasurement capped = measureLattice(hits, limit, 0.5);
-  const SurfaceMeasurement uncapped = measureLattice(hits, kNoLimit, 0.5);
+  const SurfaceMeasurement uncapped = measureLattice(hits, kNoCutoff, 0.5);
   EXPECT_LT(distance(capped.curvatures, uncapped.curvatures), 0.01 * limit);
   EXPECT_LT(limit, 0.2 * surveyLattice(hits, 0).survey.largestCurvature());
 }

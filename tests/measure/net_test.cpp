@@ -14,8 +14,6 @@ namespace {
 using Eigen::Vector3d;
 using testing::HasSubstr;
 
-constexpr double kPi = std::numbers::pi;
-
 /// The points of nets on the plane, stretched along v.
 NetPoints onPlane(double stretch) {
   return [=](const Net& net) {
@@ -60,15 +58,15 @@ TEST(RequireUnfolded, NamesTheNode) {
 }
 
 TEST(AssessNet, MeasuresAParallelogram) {
-  const double angle = kPi / 3;
+  const double angle = std::numbers::pi / 3;
   const NetQuality quality = assessNet(latticeOn(
       [&](double u, double v) -> Vector3d {
         return 3 * u * Vector3d::UnitX() + 4 * v * Vector3d(std::cos(angle), 0, std::sin(angle));
       },
       3, 5));  // Chords of 1.5 and 1.
   EXPECT_NEAR(quality.strutRatio, 1.5, 1e-14);
-  EXPECT_NEAR(quality.meanAngleDeviation, kPi / 6, 1e-14);
-  EXPECT_NEAR(quality.largestAngleDeviation, kPi / 6, 1e-14);
+  EXPECT_NEAR(quality.meanAngleDeviation, std::numbers::pi / 6, 1e-14);
+  EXPECT_NEAR(quality.largestAngleDeviation, std::numbers::pi / 6, 1e-14);
 }
 
 TEST(AssessNet, TellsTheLargestFromTheMean) {

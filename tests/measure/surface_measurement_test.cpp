@@ -46,12 +46,12 @@ TEST(CurvatureAtCutoff, TakesTheShareOfTheSortedSamples) {
 
 TEST(MeasureSurface, GivesChordsCurvatureAndTargets) {
   constexpr double kRadius = 2;
-  constexpr double kAngle = 1.2;
+  constexpr double kSweep = 1.2;
   constexpr int kNodesU = 7;
   constexpr int kNodesV = 3;
-  const Cylinder cylinder(kRadius, kAngle, 5);
+  const Cylinder cylinder(kRadius, kSweep, 5);
   const SurfaceMeasurement m = measureSurface(cylinder, kNodesU, kNodesV, 10);
-  const double chord = 2 * kRadius * std::sin(kAngle / kNodesU / 2);
+  const double chord = 2 * kRadius * std::sin(kSweep / kNodesU / 2);
   for (int j = 0; j <= kNodesV; ++j) {
     for (int i = 0; i < kNodesU; ++i) {
       EXPECT_NEAR(m.chords.u(i, j), chord, 1e-12);

@@ -1,9 +1,13 @@
 #pragma once
+#include <Eigen/Geometry>
 #include <functional>
 
 #include "grid/strut_grid.h"
 
 namespace morphgrid {
+
+/// Where grids lie: as they are.
+inline const Eigen::Isometry3d kUnmoved = Eigen::Isometry3d::Identity();
 
 /// A grid whose vertices lie at `pointAt(i, j, k)`, all struts strained by `strain`.
 StrutGrid gridThrough(const GridShape& shape,

@@ -13,7 +13,7 @@ const SamplingBox kBox{2, 3, 8, 6};
 double flat(double, double) { return 10; }
 double ramp(double y, double) { return y; }
 
-Eigen::Vector2d placeOf(const Camera& camera, const Eigen::Vector3d& point) {
+Eigen::Vector2d placeInPicture(const Camera& camera, const Eigen::Vector3d& point) {
   const glm::dvec4 clip = camera.clipFromWorld() * glm::dvec4(point.x(), point.y(), point.z(), 1);
   EXPECT_GT(clip.z, 0) << "in front of the near plane";
   EXPECT_LT(clip.z, clip.w) << "behind the far plane";
@@ -93,9 +93,9 @@ TEST(FrameRays, BoxIsCenteredAndLargeSeenFromWhereTheRaysCome) {
   const RayHits hits = heightHits(flat, kBox, 9, 7);
   const Camera camera = frameRays(heightMesh(flat, 50, 50, 4, 4), hits, 1);
   EXPECT_LT(camera.eye().x, 10);
-  EXPECT_LT(placeOf(camera, {10, 6, 6}).norm(), 1e-9);
-  EXPECT_NEAR(placeOf(camera, {10, 10, 6}).y(), -0.9, 1e-9) << "y up; Vulkan's points down";
-  EXPECT_NEAR(placeOf(camera, {10, 6, 9}).x(), 0.9 * 3 / 4, 1e-9) << "z to the right";
+  EXPECT_LT(placeInPicture(camera, {10, 6, 6}).norm(), 1e-9);
+  EXPECT_NEAR(placeInPicture(camera, {10, 10, 6}).y(), -0.9, 1e-9) << "y up; Vulkan's points down";
+  EXPECT_NEAR(placeInPicture(camera, {10, 6, 9}).x(), 0.9 * 3 / 4, 1e-9) << "z to the right";
 }
 
 TEST(FrameRays, WholeDepthOfTheMeshIsInView) {
@@ -103,8 +103,8 @@ TEST(FrameRays, WholeDepthOfTheMeshIsInView) {
   const auto bump = [](double, double) { return 250.0; };
   const RayHits hits = heightHits(bump, kBox, 9, 7);
   const Camera camera = frameRays(heightMesh(steep, 12, 12, 4, 4), hits, 1.3);
-  placeOf(camera, {300, 6, 6});
-  placeOf(camera, {-60, 6, 6});
+  placeInPicture(camera, {300, 6, 6});
+  placeInPicture(camera, {-60, 6, 6});
 }
 
 }  // namespace

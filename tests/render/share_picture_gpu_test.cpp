@@ -9,7 +9,6 @@
 namespace morphgrid {
 namespace {
 
-const Eigen::Isometry3d kUnmoved = Eigen::Isometry3d::Identity();
 constexpr int kSide = 200;
 
 /// From straight above, y up.

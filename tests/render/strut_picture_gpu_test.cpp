@@ -9,8 +9,6 @@
 namespace morphgrid {
 namespace {
 
-const Eigen::Isometry3d kUnmoved = Eigen::Isometry3d::Identity();
-
 class StrutPicture : public DeviceTest {
  protected:
   Image draw(const StrutGrid& grid, int width = 200, int height = 150, int samples = 4) {

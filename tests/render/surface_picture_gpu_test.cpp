@@ -9,18 +9,18 @@
 namespace morphgrid {
 namespace {
 
-const Eigen::Isometry3d kUnmoved = Eigen::Isometry3d::Identity();
-constexpr int kWidth = 203;
-constexpr int kHeight = 151;
+constexpr int kPictureWidth = 203;
+constexpr int kPictureHeight = 151;
 
 class SurfacePicture : public DeviceTest {
  protected:
   Camera cameraFor(const StrutGrid& grid,
                    const Eigen::Vector3d& view = kObliqueViewDirection) const {
-    return frameAll(grid.positions, view, kUpwards, static_cast<double>(kWidth) / kHeight);
+    return frameAll(grid.positions, view, kUpwards,
+                    static_cast<double>(kPictureWidth) / kPictureHeight);
   }
   Image draw(const StrutGrid& grid, const Camera& camera, int samples = 4) {
-    StrainRenderer renderer(device_, kWidth, kHeight, samples);
+    StrainRenderer renderer(device_, kPictureWidth, kPictureHeight, samples);
     return renderer.drawSurface(DeviceGrid(device_, grid), kUnmoved, camera);
   }
 };
@@ -39,9 +39,9 @@ TEST_F(SurfacePicture, FlatLayerCoversExactlyItsPixels) {
     const StrutGrid grid = flatGrid(shape);
     const Camera camera = cameraFor(grid);
     const Image image = draw(grid, camera);
-    const double pixel = 2.5 * (shape.verticesU + shape.verticesV) / kWidth;
-    for (int y = 0; y < kHeight; ++y) {
-      for (int x = 0; x < kWidth; ++x) {
+    const double pixel = 2.5 * (shape.verticesU + shape.verticesV) / kPictureWidth;
+    for (int y = 0; y < kPictureHeight; ++y) {
+      for (int x = 0; x < kPictureWidth; ++x) {
         const glm::dvec2 point = floorPointOf(image, camera, x + 0.5, y + 0.5);
         const double inside = std::min(
             {point.x, point.y, shape.verticesU - 1 - point.x, shape.verticesV - 1 - point.y});
@@ -58,14 +58,14 @@ TEST_F(SurfacePicture, CurvedLayerCoversTheCatmullRomSurface) {
   const Camera camera = cameraFor(grid);
   const Image image = draw(grid, camera);
   const SurfaceMesh mesh = tessellate(4, 5, grid.positions, 60);
-  std::vector<bool> covered(kWidth * kHeight);
+  std::vector<bool> covered(kPictureWidth * kPictureHeight);
   for (Eigen::Index n = 0; n < mesh.vertices.cols(); ++n) {
     const glm::dvec2 place = pixelOf(image, camera, mesh.vertices.col(n));
-    covered[static_cast<int>(place.y) * kWidth + static_cast<int>(place.x)] = true;
+    covered[static_cast<int>(place.y) * kPictureWidth + static_cast<int>(place.x)] = true;
   }
   int agreeing = 0;
-  for (int n = 0; n < kWidth * kHeight; ++n) {
-    agreeing += covered[n] && !isWhite(pixelAt(image, n % kWidth, n / kWidth));
+  for (int n = 0; n < kPictureWidth * kPictureHeight; ++n) {
+    agreeing += covered[n] && !isWhite(pixelAt(image, n % kPictureWidth, n / kPictureWidth));
   }
   // They differ where a pixel is covered in part.
   const double coloredCount = static_cast<double>(coloredPixels(image).size());

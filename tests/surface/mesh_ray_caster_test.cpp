@@ -8,14 +8,13 @@
 #include <numbers>
 #include <random>
 
+#include "tests/surface/sample_hits.h"
 #include "tests/surface/sample_meshes.h"
 
 namespace morphgrid {
 namespace {
 
 constexpr SamplingBox kUnitBox{-1, -1, 2, 2};
-
-long missed(const RayHits& hits) { return std::count(hits.hit.begin(), hits.hit.end(), 0); }
 
 double tilted(double y, double z) { return 2 + 0.3 * y - 1.7 * z; }
 
@@ -39,7 +38,7 @@ TEST(MeshRayCaster, MeetsATiltedPlaneExactly) {
   const MeshRayCaster caster(heightField(box, 7, 11, tilted));
   for (const int count : {2, 8, 12, 77, 100}) {
     const RayHits hits = caster.cast(box, count, count + 1);
-    EXPECT_EQ(missed(hits), 0) << count;
+    EXPECT_EQ(countMisses(hits), 0) << count;
     for (const auto& point : hits.points.colwise()) {
       EXPECT_NEAR(point.x(), tilted(point.y(), point.z()), 1e-12);
     }
@@ -55,7 +54,7 @@ TEST(MeshRayCaster, MeetsASphereWithinItsTessellation) {
   // most.
   const double diagonal = std::sqrt(2) * kRadius * std::numbers::pi / kParallels;
   const double bound = diagonal * diagonal / (8 * kRadius) / std::sqrt(1 - 2 * 0.36);
-  EXPECT_EQ(missed(hits), 0);
+  EXPECT_EQ(countMisses(hits), 0);
   for (const auto& p : hits.points.colwise()) {
     const double exact = -std::sqrt(kRadius * kRadius - p.tail<2>().squaredNorm());
     EXPECT_GE(p.x(), exact - 1e-12);
@@ -141,7 +140,7 @@ TEST(MeshRayCaster, MissesBesideTheMesh) {
   }
   EXPECT_NEAR(points(0, 6), 2, 1e-12);
   const RayHits hits = caster.cast({0, 0, 4, 0.5}, 5, 2);
-  EXPECT_EQ(missed(hits), 6);
+  EXPECT_EQ(countMisses(hits), 6);
   EXPECT_EQ(hits.points.col(4), Eigen::Vector3d(0, 4, 0));
   EXPECT_TRUE(caster.castThrough(Eigen::Matrix2Xd(2, 0)).cols() == 0);
 }
@@ -164,10 +163,10 @@ class SymmetricMesh : public testing::TestWithParam<Placement> {
     const double half = halfBox * scale;
     const SamplingBox box{offset.y() - half, offset.z() - half, 2 * half, 2 * half};
     for (int count = 3; count < 130; count += count < 21 ? 2 : 18) {
-      EXPECT_EQ(missed(caster.cast(box, count, count)), 0) << count << " x " << count;
+      EXPECT_EQ(countMisses(caster.cast(box, count, count)), 0) << count << " x " << count;
     }
-    EXPECT_EQ(missed(caster.cast(box, 1001, 3)), 0);
-    EXPECT_EQ(missed(caster.cast(box, 3, 1001)), 0);
+    EXPECT_EQ(countMisses(caster.cast(box, 1001, 3)), 0);
+    EXPECT_EQ(countMisses(caster.cast(box, 3, 1001)), 0);
   }
 };
 
@@ -243,7 +242,7 @@ TEST(MeshRayCaster, KeepsDoublePrecisionFarFromTheOrigin) {
   const RayHits far = MeshRayCaster(heightField(box, 64, 64, wave)).cast(box, 65, 65);
   const RayHits home =
       MeshRayCaster(heightField({0, 0, 1, 1}, 64, 64, near)).cast({0, 0, 1, 1}, 65, 65);
-  EXPECT_EQ(missed(far), 0);
+  EXPECT_EQ(countMisses(far), 0);
   EXPECT_LE(((far.points.row(0).array() - 3e6) - home.points.row(0).array()).abs().maxCoeff(),
             2e-9);
 }
@@ -254,7 +253,7 @@ TEST(MeshRayCaster, ScalesWithTheMesh) {
   for (const double scale : {1e-30, 1e-6, 1e6, 1e30}) {
     const RayHits hits = MeshRayCaster(transformed(Eigen::Affine3d(Eigen::Scaling(scale)), mesh))
                              .cast({-0.5 * scale, -0.5 * scale, scale, scale}, 33, 33);
-    EXPECT_EQ(missed(hits), 0) << scale;
+    EXPECT_EQ(countMisses(hits), 0) << scale;
     EXPECT_LE((hits.points / scale - expected.points).cwiseAbs().maxCoeff(), 1e-12) << scale;
   }
 }
@@ -269,13 +268,13 @@ TEST(MeshRayCaster, SeesPastTrianglesWithoutArea) {
       2, 1, 2, 5;
   const MeshRayCaster caster(joined(odd, heightField(kUnitBox, 2, 2, tilted)));
   const RayHits hits = caster.cast(kUnitBox, 21, 21);
-  EXPECT_EQ(missed(hits), 0);
+  EXPECT_EQ(countMisses(hits), 0);
   for (const auto& point : hits.points.colwise()) {
     const bool edgeOn = point.y() == 0;  // There a hit on the edge would do too.
     EXPECT_TRUE(edgeOn || std::abs(point.x() - tilted(point.y(), point.z())) < 1e-12);
     EXPECT_TRUE(point.x() >= -9 && point.x() <= 4);
   }
-  EXPECT_EQ(missed(MeshRayCaster(odd).cast({-2, -2, 3.9, 3.9}, 10, 10)), 100);
+  EXPECT_EQ(countMisses(MeshRayCaster(odd).cast({-2, -2, 3.9, 3.9}, 10, 10)), 100);
 }
 
 TEST(MeshRayCaster, AnswersForAMeshThatIsOnePoint) {
@@ -290,7 +289,7 @@ TEST(MeshRayCaster, TakesManyCoincidentTriangles) {
   TriangleMesh mesh = heightField(kUnitBox, 1, 1, tilted);
   mesh.triangles = mesh.triangles.replicate(1, 20000).eval();
   const RayHits hits = MeshRayCaster(mesh).cast(kUnitBox, 11, 11);
-  EXPECT_EQ(missed(hits), 0);
+  EXPECT_EQ(countMisses(hits), 0);
   for (const auto& point : hits.points.colwise()) {
     EXPECT_NEAR(point.x(), tilted(point.y(), point.z()), 1e-12);
   }
@@ -313,7 +312,7 @@ TEST(MeshRayCaster, IgnoresVerticesThatNoTriangleUses) {
   mesh.vertices.conservativeResize(3, mesh.vertices.cols() + 1);
   mesh.vertices.rightCols<1>() << 1e12, 1e12, -1e12;
   const RayHits hits = MeshRayCaster(mesh).cast(kUnitBox, 9, 9);
-  EXPECT_EQ(missed(hits), 0);
+  EXPECT_EQ(countMisses(hits), 0);
   EXPECT_NEAR(hits.points(0, hits.index(8, 8)), tilted(1, 1), 1e-12);
 }
 

@@ -19,8 +19,6 @@ double linear(double u, double v) { return 3 - 2 * u + 0.5 * v; }
 
 RayHits linearHits() { return sampleHits(kBox, 21, 11, linear); }
 
-long missed(const RayHits& hits) { return std::count(hits.hit.begin(), hits.hit.end(), 0); }
-
 double largestError(const RayHits& hits, double (*exact)(double, double)) {
   double largest = 0;
   for (const auto& point : hits.points.colwise()) {
@@ -120,9 +118,9 @@ TEST(FillHoles, IsExactForALinearField) {
   punchHole(hits, 6, 6, 4, 4);    // Touches the first at a corner.
   punchHole(hits, 12, 19, 1, 9);  // All but the box's edge.
   punchHole(hits, 9, 9, 5, 5);
-  const long holes = missed(hits);
+  const long holes = countMisses(hits);
   EXPECT_EQ(fillHoles(hits, 10), holes);
-  EXPECT_EQ(missed(hits), 0);
+  EXPECT_EQ(countMisses(hits), 0);
   EXPECT_LE(largestError(hits, linear), 1e-12);
 }
 
@@ -168,7 +166,7 @@ TEST(FillHoles, LeavesHolesAtTheBoxsEdge) {
   punchHole(hits, 9, 9, 9, 10);
   punchHole(hits, 14, 14, 5, 5);
   EXPECT_EQ(fillHoles(hits, 1), 1);
-  EXPECT_EQ(missed(hits), 8);
+  EXPECT_EQ(countMisses(hits), 8);
   EXPECT_EQ(hits.points(0, hits.index(0, 4)), 0);
 }
 

@@ -1,5 +1,6 @@
 #include "tests/surface/sample_hits.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace morphgrid {
@@ -25,5 +26,7 @@ void punchHole(RayHits& hits, int firstU, int lastU, int firstV, int lastV) {
     }
   }
 }
+
+long countMisses(const RayHits& hits) { return std::count(hits.hit.begin(), hits.hit.end(), 0); }
 
 }  // namespace morphgrid

@@ -12,4 +12,7 @@ RayHits sampleHits(const SamplingBox& box, int countU, int countV,
 /// Makes rays [firstU, lastU] x [firstV, lastV] miss.
 void punchHole(RayHits& hits, int firstU, int lastU, int firstV, int lastV);
 
+/// How many rays miss.
+long countMisses(const RayHits& hits);
+
 }  // namespace morphgrid
