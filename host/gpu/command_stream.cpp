@@ -2,18 +2,17 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <limits>
 
 #include "core/error.h"
-#include "gpu/submission_pace.h"
 
 namespace morphgrid {
 namespace {
 
-// For SubmissionPace: a call costs as much as some workgroups.
-constexpr long kWorkOfCall = 4;
-constexpr vk::DeviceSize kBytesPerWork = 1 << 15;
+constexpr const char* kCopy = "copy";
+constexpr vk::DeviceSize kBytesOfGroup = 1 << 15;  // What copies count as workgroups.
 
 }  // namespace
 
@@ -31,22 +30,26 @@ void CommandStream::beginPart(std::size_t part) {
   if (part == parts_.size()) {
     const vk::CommandBufferAllocateInfo one(*pool_, vk::CommandBufferLevel::ePrimary, 1);
     vk::raii::CommandBuffers buffers(device_.handle(), one);
-    parts_.push_back({std::move(buffers.front()), 0});
+    parts_.push_back({std::move(buffers.front()), {}, 0});
   }
   last_ = part;
-  parts_[part].work = 0;
+  parts_[part].work.clear();
+  parts_[part].groups = 0;
   parts_[part].commands.reset();
   parts_[part].commands.begin(vk::CommandBufferBeginInfo());
 }
 
-void CommandStream::count(long work) {
-  // Timers belong to one command buffer.
-  if (device_.pace() && !timer_ && parts_[last_].work > 0 &&
-      parts_[last_].work + work > device_.pace()->most()) {
+/// Timers belong to one command buffer.
+bool CommandStream::isCut() const { return device_.pace() && !timer_; }
+
+void CommandStream::count(const CallWork& call) {
+  if (isCut() && parts_[last_].groups > 0 &&
+      parts_[last_].groups + call.groups > SubmissionPace::kMostGroups) {
     commands().end();
     beginPart(last_ + 1);
   }
-  parts_[last_].work += work;
+  parts_[last_].work.push_back(call);
+  parts_[last_].groups += call.groups;
 }
 
 void CommandStream::begin() {
@@ -69,7 +72,26 @@ void CommandStream::orderAfterPrevious() {
 void CommandStream::dispatchBytes(const ComputeKernel& kernel, const void* push,
                                   std::uint32_t pushBytes, std::uint32_t groupsX,
                                   std::uint32_t groupsY, std::uint32_t groupsZ) {
-  count(kWorkOfCall + static_cast<long>(groupsX) * groupsY * groupsZ);
+  // Cut between rows, where there are any: shaders may count the groups of a row.
+  const bool hasRows = groupsY > 1;
+  const std::uint32_t slices = hasRows ? groupsY : groupsX;
+  const long sliceGroups = static_cast<long>(hasRows ? groupsX : groupsY) * groupsZ;
+  const auto most =
+      static_cast<std::uint32_t>(std::max(1L, SubmissionPace::kMostGroups / sliceGroups));
+  orderAfterPrevious();
+  for (std::uint32_t first = 0; first < slices;) {
+    const std::uint32_t count = isCut() ? std::min(most, slices - first) : slices;
+    this->count({kernel.name(), count * sliceGroups});
+    bind(kernel, push, pushBytes);
+    recordTimed(kernel.name(), [&] {
+      commands().dispatchBase(hasRows ? 0 : first, hasRows ? first : 0, 0,
+                              hasRows ? groupsX : count, hasRows ? count : groupsY, groupsZ);
+    });
+    first += count;
+  }
+}
+
+void CommandStream::bind(const ComputeKernel& kernel, const void* push, std::uint32_t pushBytes) {
   commands().bindPipeline(vk::PipelineBindPoint::eCompute, kernel.pipeline());
   commands().bindDescriptorSets(vk::PipelineBindPoint::eCompute, kernel.layout(), 0,
                                 kernel.descriptorSet(), {});
@@ -78,15 +100,21 @@ void CommandStream::dispatchBytes(const ComputeKernel& kernel, const void* push,
         kernel.layout(), vk::ShaderStageFlagBits::eCompute, 0,
         vk::ArrayProxy<const std::byte>(pushBytes, static_cast<const std::byte*>(push)));
   }
-  recordTimed(kernel.name(), [&] { commands().dispatch(groupsX, groupsY, groupsZ); });
 }
 
 void CommandStream::copy(const Buffer& from, const Buffer& to, vk::DeviceSize bytes,
                          vk::DeviceSize fromOffset) {
-  count(kWorkOfCall + static_cast<long>(bytes / kBytesPerWork));
-  recordTimed("copy", [&] {
-    commands().copyBuffer(from.handle(), to.handle(), vk::BufferCopy(fromOffset, 0, bytes));
-  });
+  orderAfterPrevious();
+  constexpr vk::DeviceSize kMost = SubmissionPace::kMostGroups * kBytesOfGroup;
+  for (vk::DeviceSize done = 0; done < bytes;) {
+    const vk::DeviceSize count = isCut() ? std::min(kMost, bytes - done) : bytes;
+    this->count({kCopy, static_cast<long>(count / kBytesOfGroup)});
+    recordTimed(kCopy, [&] {
+      commands().copyBuffer(from.handle(), to.handle(),
+                            vk::BufferCopy(fromOffset + done, done, count));
+    });
+    done += count;
+  }
 }
 
 void CommandStream::end() {
@@ -101,8 +129,10 @@ void CommandStream::end() {
 void CommandStream::submitAndWait() {
   const auto start = std::chrono::steady_clock::now();
   try {
-    for (std::size_t part = 0; part <= last_; ++part) {
-      submitAndWait(parts_[part]);
+    for (std::size_t first = 0; first <= last_;) {
+      const std::size_t end = endOfSubmission(first);
+      submitAndWait(first, end);
+      first = end;
     }
     if (timer_) {
       const std::chrono::duration<double> waited = std::chrono::steady_clock::now() - start;
@@ -114,12 +144,29 @@ void CommandStream::submitAndWait() {
   }
 }
 
-void CommandStream::submitAndWait(const Part& part) {
+std::size_t CommandStream::endOfSubmission(std::size_t first) const {
+  std::size_t end = first + 1;
+  if (const SubmissionPace* pace = device_.pace()) {
+    double seconds = pace->expect(parts_[first].work);
+    while (end <= last_ && (seconds += pace->expect(parts_[end].work)) < SubmissionPace::kLongest) {
+      ++end;
+    }
+  }
+  return end;
+}
+
+void CommandStream::submitAndWait(std::size_t first, std::size_t end) {
+  std::vector<vk::CommandBuffer> commands;
+  std::vector<CallWork> work;
+  for (std::size_t part = first; part < end; ++part) {
+    commands.push_back(*parts_[part].commands);
+    work.insert(work.end(), parts_[part].work.begin(), parts_[part].work.end());
+  }
   const long frameEvents = device_.pace() ? device_.pace()->frameEvents() : 0;
   const auto start = std::chrono::steady_clock::now();
   {
     const std::lock_guard lock(device_.queueMutex());
-    device_.queue().submit(vk::SubmitInfo({}, {}, *part.commands), *fence_);
+    device_.queue().submit(vk::SubmitInfo({}, {}, commands), *fence_);
   }
   const auto forever = std::numeric_limits<std::uint64_t>::max();
   if (device_.handle().waitForFences(*fence_, VK_TRUE, forever) != vk::Result::eSuccess) {
@@ -128,7 +175,7 @@ void CommandStream::submitAndWait(const Part& part) {
   device_.handle().resetFences(*fence_);
   if (device_.pace()) {
     const std::chrono::duration<double> waited = std::chrono::steady_clock::now() - start;
-    device_.pace()->learn(part.work, waited.count(), frameEvents);
+    device_.pace()->learn(work, waited.count(), frameEvents);
   }
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 #include "gpu/call_timer.h"
 #include "gpu/compute_kernel.h"
+#include "gpu/submission_pace.h"
 
 namespace morphgrid {
 
@@ -38,21 +39,25 @@ class CommandStream {
  private:
   void dispatchBytes(const ComputeKernel& kernel, const void* push, std::uint32_t pushBytes,
                      std::uint32_t groupsX, std::uint32_t groupsY, std::uint32_t groupsZ);
-  /// What goes to the device at once.
+  /// What cannot be submitted but at once.
   struct Part {
     vk::raii::CommandBuffer commands;
-    long work;  ///< See SubmissionPace.
+    std::vector<CallWork> work;
+    long groups = 0;
   };
 
+  bool isCut() const;
   void beginPart(std::size_t part);
-  /// Work that is to be recorded.
-  void count(long work);
-  void submitAndWait(const Part& part);
+  /// A call that is to be recorded.
+  void count(const CallWork& call);
+  /// The first part that is not to be submitted together with `first`.
+  std::size_t endOfSubmission(std::size_t first) const;
+  void submitAndWait(std::size_t first, std::size_t end);
   void orderAfterPrevious();
+  void bind(const ComputeKernel& kernel, const void* push, std::uint32_t pushBytes);
   /// record(): one command, timed where the device keeps a profile.
   template <typename Record>
   void recordTimed(const char* name, Record record) {
-    orderAfterPrevious();
     if (timer_) {
       timer_->recordStart(commands(), name);
     }

@@ -22,7 +22,10 @@ vk::raii::Pipeline createPipeline(const Device& device, ShaderCode spirv, vk::Pi
                                          specialization.data());
   const vk::PipelineShaderStageCreateInfo stage({}, vk::ShaderStageFlagBits::eCompute, *module,
                                                 "main", &constants);
-  return {device.handle(), nullptr, vk::ComputePipelineCreateInfo({}, stage, layout)};
+  // Where a window shares the device, CommandStream cuts dispatches.
+  const vk::PipelineCreateFlags flags =
+      device.pace() ? vk::PipelineCreateFlagBits::eDispatchBase : vk::PipelineCreateFlags();
+  return {device.handle(), nullptr, vk::ComputePipelineCreateInfo(flags, stage, layout)};
 } catch (const vk::SystemError& error) {
   throw DeviceError(
       fmt::format("device {} cannot build a compute kernel: {}", device.name(), error.what()));

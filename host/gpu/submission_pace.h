@@ -1,16 +1,28 @@
 #pragma once
-#include <algorithm>
 #include <atomic>
+#include <map>
+#include <mutex>
+#include <vector>
 
 namespace morphgrid {
 
-/// How much work one submission holds where a window shares the queue: its frames wait for those
-/// before them. Work is counted in workgroups; how long they take is learned on the way. For
-/// several threads.
+/// A call, by what it costs.
+struct CallWork {
+  const char* kernel;  ///< Static, known by its address.
+  long groups;
+};
+
+/// How long submissions may be where a window shares the queue: its frames wait for those before
+/// them. What a workgroup of each kernel takes is learned on the way. For several threads.
 class SubmissionPace {
  public:
-  /// Work after which a submission should end.
-  long most() const { return most_; }
+  /// What is submitted together should take no longer, in seconds: a part of a frame.
+  static constexpr double kLongest = 0.010;
+  /// Of what is recorded, no more workgroups than these are inseparable.
+  static constexpr long kMostGroups = 512;
+
+  /// In seconds.
+  double expect(const std::vector<CallWork>& work) const;
 
   /// A frame goes to the queue; it has been drawn.
   void beginFrame() { ++frameEvents_; }
@@ -20,23 +32,13 @@ class SubmissionPace {
   long frameEvents() const { return frameEvents_; }
 
   /// A submission of so much work took so long. One that waited for a frame tells nothing.
-  void learn(long work, double seconds, long frameEventsBefore) {
-    if (frameEventsBefore % 2 == 1 || frameEvents_ != frameEventsBefore) {
-      return;
-    }
-    if (seconds > kLongest) {
-      most_ = std::max(kLeast, std::min(most_.load(), work) * 2 / 3);
-    } else if (seconds < kLongest / 2 && work >= most_ / 2) {
-      most_ = std::min(kMost, most_ * 5 / 4);
-    }
-  }
+  void learn(const std::vector<CallWork>& work, double seconds, long frameEventsBefore);
 
  private:
-  static constexpr double kLongest = 0.012;  // Seconds: a part of a frame.
-  static constexpr long kLeast = 64;
-  static constexpr long kMost = 1L << 30;
+  double costOf(const CallWork& call) const;
 
-  std::atomic<long> most_ = 1024;
+  mutable std::mutex mutex_;
+  std::map<const char*, double> groupSeconds_;
   std::atomic<long> frameEvents_ = 0;  ///< Odd while a frame is drawn.
 };
 

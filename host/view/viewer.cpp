@@ -340,8 +340,10 @@ class Viewer {
   void account(Clock::time_point polled) {
     const auto now = Clock::now();
     if (secondsBetween(begun_, now) > kWarmUpSeconds) {
+      // The wait between them ends with an event.
+      const double latency = secondsBetween(polled_, shown_) + secondsBetween(polled, now);
       statistics_.add(snapshot_->activity != Activity::atRest, secondsBetween(shown_, now),
-                      secondsBetween(polled_, now));
+                      latency);
     }
     shown_ = now;
     polled_ = polled;

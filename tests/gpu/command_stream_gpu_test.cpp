@@ -4,25 +4,16 @@
 
 #include <numeric>
 
-#include "gpu/submission_pace.h"
+#include "tests/support/validated_device.h"
 
 namespace morphgrid {
 namespace {
 
-/// As for windows, but for none.
-DeviceOptions sharedDevice() {
-  DeviceOptions options{.selection = "", .validation = true};
-  options.presentation =
-      Presentation{{VK_KHR_SURFACE_EXTENSION_NAME},
-                   [](VkInstance, VkPhysicalDevice, std::uint32_t) { return true; }};
-  return options;
-}
-
 TEST(CommandStream, CutIntoPartsDoesTheSame) {
-  const Device device(sharedDevice());
+  const Device device(sharedDeviceOptions());
   ASSERT_NE(device.pace(), nullptr);
   for (int n = 0; n < 50; ++n) {
-    device.pace()->learn(1, 1, device.pace()->frameEvents());  // As short as can be.
+    device.pace()->learn({{"copy", 1}}, 1, device.pace()->frameEvents());  // As dear as can be.
   }
   constexpr int kCount = 1 << 16;
   constexpr vk::DeviceSize kSize = kCount * sizeof(int);

@@ -5,38 +5,56 @@
 namespace morphgrid {
 namespace {
 
-TEST(SubmissionPace, ShortensWhatTakesTooLong) {
-  SubmissionPace pace;
-  const long before = pace.most();
-  pace.learn(before, 0.1, pace.frameEvents());
-  EXPECT_LT(pace.most(), before);
-  for (int n = 0; n < 100; ++n) {
-    pace.learn(1, 0.1, pace.frameEvents());
-  }
-  EXPECT_GT(pace.most(), 1) << "no submission for each call";
+constexpr const char* kCheap = "cheap.comp";
+constexpr const char* kDear = "dear.comp";
+
+double groupSeconds(const SubmissionPace& pace, const char* kernel) {
+  constexpr long kMany = 1000000;
+  return pace.expect({{kernel, kMany}}) / kMany;
 }
 
-TEST(SubmissionPace, LengthensWhatIsQuickAndFull) {
+TEST(SubmissionPace, LearnsWhatEachKernelTakes) {
   SubmissionPace pace;
-  const long before = pace.most();
-  pace.learn(1, 1e-4, pace.frameEvents());
-  EXPECT_EQ(pace.most(), before) << "a small submission tells nothing";
-  pace.learn(before, 1e-3, pace.frameEvents());
-  EXPECT_GT(pace.most(), before);
+  const std::vector<CallWork> cheap{{kCheap, 10000}};
+  const std::vector<CallWork> dear{{kDear, 100}, {kDear, 300}};
+  const std::vector<CallWork> both{{kCheap, 10000}, {kDear, 100}};
+  for (int n = 0; n < 50; ++n) {
+    pace.learn(cheap, 10000 * 1e-7, pace.frameEvents());
+    pace.learn(dear, 400 * 5e-5, pace.frameEvents());
+    pace.learn(both, 10000 * 1e-7 + 100 * 5e-5, pace.frameEvents());
+  }
+  EXPECT_NEAR(groupSeconds(pace, kCheap), 1e-7, 1e-8);
+  EXPECT_NEAR(groupSeconds(pace, kDear), 5e-5, 5e-6);
+}
+
+TEST(SubmissionPace, ExpectsTheSumAndMoreOfManyCalls) {
+  const SubmissionPace pace;
+  const double one = pace.expect({{kCheap, 10}});
+  EXPECT_DOUBLE_EQ(pace.expect({{kCheap, 10}, {kDear, 10}}), 2 * one);
+  EXPECT_GT(pace.expect({{kCheap, 5}, {kCheap, 5}}), one);
+}
+
+TEST(SubmissionPace, OneSurpriseIsNotBelievedWhole) {
+  SubmissionPace pace;
+  const double before = groupSeconds(pace, kCheap);
+  pace.learn({{kCheap, 100}}, 1e6, pace.frameEvents());
+  EXPECT_GT(groupSeconds(pace, kCheap), 2 * before);
+  EXPECT_LT(groupSeconds(pace, kCheap), 10 * before);
 }
 
 TEST(SubmissionPace, LearnsNothingWhereAFrameWasInTheWay) {
   SubmissionPace pace;
-  const long before = pace.most();
+  const std::vector<CallWork> work{{kCheap, 100}};
+  const double before = pace.expect(work);
   const long events = pace.frameEvents();
   pace.beginFrame();
-  pace.learn(before, 1, events);
-  pace.learn(before, 1, pace.frameEvents());
+  pace.learn(work, 1, events);
+  pace.learn(work, 1, pace.frameEvents());
   pace.endFrame();
   pace.endFrame();  // Once is enough, twice does no harm.
-  EXPECT_EQ(pace.most(), before);
-  pace.learn(before, 1, pace.frameEvents());
-  EXPECT_LT(pace.most(), before);
+  EXPECT_EQ(pace.expect(work), before);
+  pace.learn(work, 1, pace.frameEvents());
+  EXPECT_GT(pace.expect(work), before);
 }
 
 }  // namespace

@@ -16,24 +16,24 @@ namespace {
 
 struct DeviceMethod {
   const char* name;
-  Equilibrium (*solve)(const Device&, const StrutGrid&, DeviceGrid&);
+  Equilibrium (*solve)(const Device&, const StrutGrid&, DeviceGrid&, const SolveOptions&);
 };
 
-const DeviceMethod kJacobi{"jacobi",
-                           [](const Device& device, const StrutGrid& grid, DeviceGrid& onDevice) {
-                             return JacobiSolver(device, grid, onDevice).solve({});
+const DeviceMethod kJacobi{"jacobi", [](const Device& device, const StrutGrid& grid,
+                                        DeviceGrid& onDevice, const SolveOptions& options) {
+                             return JacobiSolver(device, grid, onDevice).solve(options);
                            }};
-const DeviceMethod kMultigrid{
-    "multigrid", [](const Device& device, const StrutGrid& grid, DeviceGrid& onDevice) {
-      return solveMultigrid(device, grid, onDevice, {});
-    }};
+const DeviceMethod kMultigrid{"multigrid", [](const Device& device, const StrutGrid& grid,
+                                              DeviceGrid& onDevice, const SolveOptions& options) {
+                                return solveMultigrid(device, grid, onDevice, options);
+                              }};
 
 template <typename Parameter>
 class DeviceMethods : public DeviceTest, public testing::WithParamInterface<Parameter> {
  protected:
   Equilibrium solve(const DeviceMethod& method, const StrutGrid& grid) {
     DeviceGrid deviceGrid(device_, grid);
-    return method.solve(device_, grid, deviceGrid);
+    return method.solve(device_, grid, deviceGrid, {});
   }
 };
 
@@ -116,6 +116,28 @@ TEST_P(RunsOnDevice, GiveTheSameBits) {
 
 INSTANTIATE_TEST_SUITE_P(Methods, RunsOnDevice, testing::Values(kJacobi, kMultigrid),
                          [](const auto& test) { return std::string(test.param.name); });
+
+class DispatchesCutIntoParts : public DeviceMethods<DeviceMethod> {};
+
+// Rows of more workgroups than one part holds, and many rows.
+TEST_P(DispatchesCutIntoParts, ChangeNoBit) {
+  const Device shared(sharedDeviceOptions());
+  ASSERT_NE(shared.pace(), nullptr);
+  const StrutGrid grid = bentGrid({90, 80, 2}, 3);
+  const SolveOptions options{.tolerance = 1e-5, .iterationLimit = 40};
+  const auto solveOn = [&](const Device& device) {
+    DeviceGrid onDevice(device, grid);
+    return GetParam().solve(device, grid, onDevice, options);
+  };
+  const Equilibrium whole = solveOn(device_);
+  const Equilibrium cut = solveOn(shared);
+  EXPECT_EQ(cut.iterations, whole.iterations);
+  EXPECT_EQ(cut.positions, whole.positions);
+  EXPECT_TRUE(shared.validationMessages().empty());
+}
+
+INSTANTIATE_TEST_SUITE_P(Methods, DispatchesCutIntoParts, testing::Values(kJacobi, kMultigrid),
+                         [](const auto& test) { return test.param.name; });
 
 }  // namespace
 }  // namespace morphgrid
