@@ -43,8 +43,9 @@ void CommandStream::beginPart(std::size_t part) {
 bool CommandStream::isCut() const { return device_.pace() && !timer_; }
 
 void CommandStream::count(const CallWork& call) {
-  if (isCut() && parts_[last_].groups > 0 &&
-      parts_[last_].groups + call.groups > SubmissionPace::kMostGroups) {
+  if (isCut() && !parts_[last_].work.empty() &&
+      (parts_[last_].groups + call.groups > SubmissionPace::kMostGroups ||
+       !device_.pace()->knows(call.kernel))) {
     commands().end();
     beginPart(last_ + 1);
   }

@@ -19,10 +19,13 @@ class SubmissionPace {
   /// What is submitted together should take no longer, in seconds: a part of a frame.
   static constexpr double kLongest = 0.010;
   /// Of what is recorded, no more workgroups than these are inseparable.
-  static constexpr long kMostGroups = 512;
+  static constexpr long kMostGroups = 256;
 
   /// In seconds.
   double expect(const std::vector<CallWork>& work) const;
+
+  /// Whether the kernel has run. At its first run it is compiled for good: enough for a submission.
+  bool knows(const char* kernel) const;
 
   /// A frame goes to the queue; it has been drawn.
   void beginFrame() { ++frameEvents_; }
@@ -31,11 +34,14 @@ class SubmissionPace {
   /// To be given to learn(): taken before the submission.
   long frameEvents() const { return frameEvents_; }
 
-  /// A submission of so much work took so long. One that waited for a frame tells nothing.
+  /// A submission of so much work took so long. One that waited for a frame, or for the compiler,
+  /// tells nothing.
   void learn(const std::vector<CallWork>& work, double seconds, long frameEventsBefore);
 
  private:
   double costOf(const CallWork& call) const;
+  double sumCosts(const std::vector<CallWork>& work) const;
+  bool meet(const std::vector<CallWork>& work);
 
   mutable std::mutex mutex_;
   std::map<const char*, double> groupSeconds_;

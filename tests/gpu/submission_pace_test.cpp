@@ -13,6 +13,16 @@ double groupSeconds(const SubmissionPace& pace, const char* kernel) {
   return pace.expect({{kernel, kMany}}) / kMany;
 }
 
+TEST(SubmissionPace, KnowsWhatHasRun) {
+  SubmissionPace pace;
+  EXPECT_FALSE(pace.knows(kCheap));
+  EXPECT_GT(pace.expect({{kCheap, 1}}), SubmissionPace::kLongest) << "it is compiled first";
+  pace.learn({{kCheap, 1}}, 1e3, pace.frameEvents());
+  EXPECT_TRUE(pace.knows(kCheap));
+  EXPECT_FALSE(pace.knows(kDear));
+  EXPECT_LT(pace.expect({{kCheap, 1}}), SubmissionPace::kLongest) << "that took the compiler";
+}
+
 TEST(SubmissionPace, LearnsWhatEachKernelTakes) {
   SubmissionPace pace;
   const std::vector<CallWork> cheap{{kCheap, 10000}};
@@ -27,8 +37,15 @@ TEST(SubmissionPace, LearnsWhatEachKernelTakes) {
   EXPECT_NEAR(groupSeconds(pace, kDear), 5e-5, 5e-6);
 }
 
+/// It has run.
+void meet(SubmissionPace& pace, const char* kernel) {
+  pace.learn({{kernel, 1}}, 1, pace.frameEvents());
+}
+
 TEST(SubmissionPace, ExpectsTheSumAndMoreOfManyCalls) {
-  const SubmissionPace pace;
+  SubmissionPace pace;
+  meet(pace, kCheap);
+  meet(pace, kDear);
   const double one = pace.expect({{kCheap, 10}});
   EXPECT_DOUBLE_EQ(pace.expect({{kCheap, 10}, {kDear, 10}}), 2 * one);
   EXPECT_GT(pace.expect({{kCheap, 5}, {kCheap, 5}}), one);
@@ -36,6 +53,7 @@ TEST(SubmissionPace, ExpectsTheSumAndMoreOfManyCalls) {
 
 TEST(SubmissionPace, OneSurpriseIsNotBelievedWhole) {
   SubmissionPace pace;
+  meet(pace, kCheap);
   const double before = groupSeconds(pace, kCheap);
   pace.learn({{kCheap, 100}}, 1e6, pace.frameEvents());
   EXPECT_GT(groupSeconds(pace, kCheap), 2 * before);
@@ -45,6 +63,7 @@ TEST(SubmissionPace, OneSurpriseIsNotBelievedWhole) {
 TEST(SubmissionPace, LearnsNothingWhereAFrameWasInTheWay) {
   SubmissionPace pace;
   const std::vector<CallWork> work{{kCheap, 100}};
+  meet(pace, kCheap);
   const double before = pace.expect(work);
   const long events = pace.frameEvents();
   pace.beginFrame();
