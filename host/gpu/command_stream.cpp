@@ -163,7 +163,11 @@ void CommandStream::submitAndWait(std::size_t first, std::size_t end) {
     commands.push_back(*parts_[part].commands);
     work.insert(work.end(), parts_[part].work.begin(), parts_[part].work.end());
   }
-  const long frameEvents = device_.pace() ? device_.pace()->frameEvents() : 0;
+  long frameEvents = 0;
+  if (const SubmissionPace* pace = device_.pace()) {
+    pace->giveWay();
+    frameEvents = pace->frameEvents();
+  }
   const auto start = std::chrono::steady_clock::now();
   {
     const std::lock_guard lock(device_.queueMutex());

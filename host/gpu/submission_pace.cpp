@@ -1,11 +1,13 @@
 #include "gpu/submission_pace.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 
 namespace morphgrid {
 namespace {
 
+constexpr std::chrono::milliseconds kFramePatience(100);
 constexpr double kUnknownGroupSeconds = 1.5e-5;  // Of the dearest kernels, about.
 constexpr double kCompileSeconds = 0.03;
 constexpr double kLeastGroupSeconds = 1e-8;
@@ -41,6 +43,29 @@ double SubmissionPace::expect(const std::vector<CallWork>& work) const {
 bool SubmissionPace::knows(const char* kernel) const {
   const std::lock_guard lock(mutex_);
   return groupSeconds_.count(kernel) > 0;
+}
+
+void SubmissionPace::beginFrame() {
+  const std::lock_guard lock(mutex_);
+  frameEvents_ += 1 + frameEvents_ % 2;
+}
+
+void SubmissionPace::endFrame() {
+  {
+    const std::lock_guard lock(mutex_);
+    frameEvents_ += frameEvents_ % 2;
+  }
+  frameEnded_.notify_all();
+}
+
+void SubmissionPace::giveWay() const {
+  std::unique_lock lock(mutex_);
+  frameEnded_.wait_for(lock, kFramePatience, [&] { return frameEvents_ % 2 == 0; });
+}
+
+long SubmissionPace::frameEvents() const {
+  const std::lock_guard lock(mutex_);
+  return frameEvents_;
 }
 
 /// Whether one was new.

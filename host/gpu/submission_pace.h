@@ -1,5 +1,5 @@
 #pragma once
-#include <atomic>
+#include <condition_variable>
 #include <map>
 #include <mutex>
 #include <vector>
@@ -28,11 +28,14 @@ class SubmissionPace {
   bool knows(const char* kernel) const;
 
   /// A frame goes to the queue; it has been drawn.
-  void beginFrame() { ++frameEvents_; }
-  void endFrame() { frameEvents_ += frameEvents_ % 2; }
+  void beginFrame();
+  void endFrame();
+  /// To be called before a submission: waits while a frame is drawn, which so finds the queue free.
+  /// Not for long: a frame that failed has no end.
+  void giveWay() const;
 
   /// To be given to learn(): taken before the submission.
-  long frameEvents() const { return frameEvents_; }
+  long frameEvents() const;
 
   /// A submission of so much work took so long. One that waited for a frame, or for the compiler,
   /// tells nothing.
@@ -44,8 +47,9 @@ class SubmissionPace {
   bool meet(const std::vector<CallWork>& work);
 
   mutable std::mutex mutex_;
+  mutable std::condition_variable frameEnded_;
   std::map<const char*, double> groupSeconds_;
-  std::atomic<long> frameEvents_ = 0;  ///< Odd while a frame is drawn.
+  long frameEvents_ = 0;  ///< Odd while a frame is drawn.
 };
 
 }  // namespace morphgrid

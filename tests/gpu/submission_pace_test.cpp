@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
+#include <chrono>
+#include <thread>
+
 namespace morphgrid {
 namespace {
 
@@ -74,6 +78,23 @@ TEST(SubmissionPace, LearnsNothingWhereAFrameWasInTheWay) {
   EXPECT_EQ(pace.expect(work), before);
   pace.learn(work, 1, pace.frameEvents());
   EXPECT_GT(pace.expect(work), before);
+}
+
+TEST(SubmissionPace, GivesWayToAFrame) {
+  SubmissionPace pace;
+  pace.giveWay();  // There is none.
+  pace.beginFrame();
+  std::atomic<bool> isDrawn = false;
+  std::thread drawing([&] {
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    isDrawn = true;
+    pace.endFrame();
+  });
+  pace.giveWay();
+  EXPECT_TRUE(isDrawn);
+  drawing.join();
+  pace.beginFrame();
+  pace.giveWay();  // Of a frame that never ends: returns all the same.
 }
 
 }  // namespace
