@@ -32,6 +32,19 @@ constexpr float kLean = 1e-15F;
 constexpr std::array<std::array<float, 2>, 4> kLeanings{
     {{kLean, kLean}, {kLean, -kLean}, {-kLean, kLean}, {-kLean, -kLean}}};
 
+/// x where the line along x through a place meets the plane of a triangle, whose corners are the
+/// columns; within the triangle's own x, give or take the reach, where the triangle is edge-on.
+double xOnTriangle(const Eigen::Matrix3d& corners, const Vector2d& place, double reach) {
+  const Vector3d corner = corners.col(0);
+  const Vector3d normal = (corners.col(1) - corner).cross(corners.col(2) - corner);
+  const double x = corner.x() - normal.tail<2>().dot(place - corner.tail<2>()) / normal.x();
+  const double first = corners.row(0).minCoeff() - reach;
+  const double last = corners.row(0).maxCoeff() + reach;
+  return x >= first ? std::min(x, last) : first;  // 0 / 0 too goes to the side that rays meet.
+}
+
+}  // namespace
+
 /// From the mesh's box to the cube from -1 to 1: in it, single precision does as well for a mesh
 /// that is tiny, flat or far from the origin.
 struct Normalisation {
@@ -49,19 +62,6 @@ struct Normalisation {
     return (world - center.tail<2>()).cwiseQuotient(halfExtent.tail<2>());
   }
 };
-
-/// x where the line along x through a place meets the plane of a triangle, whose corners are the
-/// columns; within the triangle's own x, give or take the reach, where the triangle is edge-on.
-double xOnTriangle(const Eigen::Matrix3d& corners, const Vector2d& place, double reach) {
-  const Vector3d corner = corners.col(0);
-  const Vector3d normal = (corners.col(1) - corner).cross(corners.col(2) - corner);
-  const double x = corner.x() - normal.tail<2>().dot(place - corner.tail<2>()) / normal.x();
-  const double first = corners.row(0).minCoeff() - reach;
-  const double last = corners.row(0).maxCoeff() + reach;
-  return x >= first ? std::min(x, last) : first;  // 0 / 0 too goes to the side that rays meet.
-}
-
-}  // namespace
 
 struct MeshRayCaster::Scene {
   TriangleMesh mesh;
