@@ -37,10 +37,13 @@ vk::raii::Pipeline createPipeline(const Device& device, const ShaderPair& shader
       vk::PipelineShaderStageCreateInfo({}, Stage::eFragment, *fragment, "main")};
   const vk::PipelineVertexInputStateCreateInfo vertexInput;
   const vk::PipelineInputAssemblyStateCreateInfo assembly(
-      {}, primitive == Primitive::triangles ? vk::PrimitiveTopology::eTriangleList
-                                            : vk::PrimitiveTopology::eLineList);
+      {}, primitive == Primitive::lines ? vk::PrimitiveTopology::eLineList
+                                        : vk::PrimitiveTopology::eTriangleList);
   const vk::PipelineViewportStateCreateInfo viewport({}, 1, nullptr, 1, nullptr);
   vk::PipelineRasterizationStateCreateInfo rasterization;
+  if (primitive == Primitive::frontTriangles) {
+    rasterization.cullMode = vk::CullModeFlagBits::eBack;
+  }
   rasterization.lineWidth = 1;  // Validation wants it even without lines.
   const vk::PipelineMultisampleStateCreateInfo multisample({}, samples);
   const vk::PipelineDepthStencilStateCreateInfo depth({}, VK_TRUE, blending == Blending::opaque,

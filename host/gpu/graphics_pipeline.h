@@ -15,9 +15,13 @@ enum class Blending {
   translucent,  ///< By alpha, over what is there; hides nothing that is drawn later.
 };
 
-enum class Primitive { triangles, lines };
+enum class Primitive {
+  triangles,
+  frontTriangles,  ///< Those that are counter-clockwise in the picture: closed bodies need no more.
+  lines,
+};
 
-/// Draws triangles, front and back, or lines of a pixel's width, with a depth test. There are no
+/// Draws triangles or lines of a pixel's width, with a depth test. There are no
 /// vertex attributes: the vertex shader makes everything from gl_VertexIndex and its resources.
 /// Push constants reach both shaders.
 class GraphicsPipeline {

@@ -1,16 +1,24 @@
 #include "render/grid_painter.h"
 
+#include <cassert>
+
 #include "gpu/command_stream.h"
-#include "render/strut_frag.h"
+#include "render/ribbon_frag.h"
+#include "render/ribbon_share_frag.h"
+#include "render/ribbon_share_vert.h"
+#include "render/ribbon_vert.h"
 #include "render/strut_line_frag.h"
 #include "render/strut_line_share_vert.h"
 #include "render/strut_line_vert.h"
-#include "render/strut_share_frag.h"
-#include "render/strut_share_vert.h"
-#include "render/strut_vert.h"
 #include "render/surface_frag.h"
+#include "render/surface_share_frag.h"
+#include "render/surface_share_vert.h"
 #include "render/surface_veil_frag.h"
 #include "render/surface_vert.h"
+#include "render/tube_frag.h"
+#include "render/tube_share_frag.h"
+#include "render/tube_share_vert.h"
+#include "render/tube_vert.h"
 #include "shared/solver_types.h"
 
 namespace morphgrid {
@@ -29,22 +37,34 @@ GraphicsPipeline strutPainter(const Device& device, const ShaderPair& shaders,
           renderPass, samples, Blending::opaque, primitive};
 }
 
-GraphicsPipeline surfacePainter(const Device& device, ShaderCode fragment,
+GraphicsPipeline surfacePainter(const Device& device, const ShaderPair& shaders,
                                 vk::RenderPass renderPass, vk::SampleCountFlagBits samples,
-                                Blending blending) {
-  return {device,         {surface_vert_spirv, fragment},
-          paintedSlots(), sizeof(SurfacePush),
-          renderPass,     samples,
-          blending};
+                                Blending blending = Blending::opaque) {
+  return {device, shaders, paintedSlots(), sizeof(SurfacePush), renderPass, samples, blending};
 }
 
-/// A column a vertex: the shares of its struts to +u, +v and +w, and nothing.
-std::vector<glm::vec4> shareColumns(const StrutValues& shares) {
-  std::vector<glm::vec4> columns(shares.u.size());
-  for (std::size_t n = 0; n < columns.size(); ++n) {
-    columns[n] = {shares.u[n], shares.v[n], shares.w[n], 0};
+uint verticesPerStrut(StrutStyle style) {
+  switch (style) {
+    case StrutStyle::lines:
+      return kVerticesPerLine;
+    case StrutStyle::ribbons:
+      return kVerticesPerQuad;
+    case StrutStyle::tubes:
+      break;
   }
-  return columns;
+  return kVerticesPerTube;
+}
+
+/// A texel a vertex: the shares of its struts to +u, +v and +w, and its column's.
+std::vector<glm::vec4> shareTexels(const StrutValues& struts, const Eigen::VectorXd& columns) {
+  assert(columns.size() <= static_cast<Eigen::Index>(struts.u.size()));
+  std::vector<glm::vec4> texels(struts.u.size());
+  for (std::size_t n = 0; n < texels.size(); ++n) {
+    const auto place = static_cast<Eigen::Index>(n);
+    texels[n] = {struts.u[n], struts.v[n], struts.w[n],
+                 place < columns.size() ? columns[place] : 0};
+  }
+  return texels;
 }
 
 /// Of `count` vertices every stride-th, and the last.
@@ -52,12 +72,13 @@ int drawnVertices(int count, int stride) { return (count - 2) / stride + 2; }
 
 }  // namespace
 
-StrutShares::StrutShares(const Device& device, const StrutValues& shares)
-    : buffer_(device, shares.u.size() * sizeof(glm::vec4),
+StrutShares::StrutShares(const Device& device, const StrutValues& struts,
+                         const Eigen::VectorXd& columns)
+    : buffer_(device, struts.u.size() * sizeof(glm::vec4),
               vk::BufferUsageFlagBits::eUniformTexelBuffer | vk::BufferUsageFlagBits::eTransferDst,
               MemoryKind::device),
       texels_(device, buffer_, vk::Format::eR32G32B32A32Sfloat, sizeof(glm::vec4)) {
-  upload(device, buffer_, shareColumns(shares));
+  upload(device, buffer_, shareTexels(struts, columns));
 }
 
 GridResources::GridResources(const Device& device, const DeviceGrid& grid,
@@ -80,53 +101,64 @@ ResourceSet GridResources::setFor(const Device& device, const TexelView& positio
 
 GridPainter::GridPainter(const Device& device, vk::RenderPass renderPass,
                          vk::SampleCountFlagBits samples)
-    : strainRibbons_(strutPainter(device, {strut_vert_spirv, strut_frag_spirv}, renderPass, samples,
-                                  Primitive::triangles)),
-      shareRibbons_(strutPainter(device, {strut_share_vert_spirv, strut_share_frag_spirv},
-                                 renderPass, samples, Primitive::triangles)),
-      strainLines_(strutPainter(device, {strut_line_vert_spirv, strut_line_frag_spirv}, renderPass,
-                                samples, Primitive::lines)),
-      shareLines_(strutPainter(device, {strut_line_share_vert_spirv, strut_line_frag_spirv},
-                               renderPass, samples, Primitive::lines)),
-      surface_(surfacePainter(device, surface_frag_spirv, renderPass, samples, Blending::opaque)),
-      veil_(surfacePainter(device, surface_veil_frag_spirv, renderPass, samples,
-                           Blending::translucent)) {}
+    : struts_{{{strutPainter(device, {strut_line_vert_spirv, strut_line_frag_spirv}, renderPass,
+                             samples, Primitive::lines),
+                strutPainter(device, {strut_line_share_vert_spirv, strut_line_frag_spirv},
+                             renderPass, samples, Primitive::lines)},
+               {strutPainter(device, {ribbon_vert_spirv, ribbon_frag_spirv}, renderPass, samples,
+                             Primitive::triangles),
+                strutPainter(device, {ribbon_share_vert_spirv, ribbon_share_frag_spirv}, renderPass,
+                             samples, Primitive::triangles)},
+               {strutPainter(device, {tube_vert_spirv, tube_frag_spirv}, renderPass, samples,
+                             Primitive::frontTriangles),
+                strutPainter(device, {tube_share_vert_spirv, tube_share_frag_spirv}, renderPass,
+                             samples, Primitive::frontTriangles)}}},
+      surface_{
+          surfacePainter(device, {surface_vert_spirv, surface_frag_spirv}, renderPass, samples),
+          surfacePainter(device, {surface_share_vert_spirv, surface_share_frag_spirv}, renderPass,
+                         samples)},
+      veil_(surfacePainter(device, {surface_vert_spirv, surface_veil_frag_spirv}, renderPass,
+                           samples, Blending::translucent)) {}
 
 void GridPainter::draw(const vk::raii::CommandBuffer& commands, const GridResources& resources,
                        const GridLook& look, const LocalView& view) const {
-  const DeviceGrid& grid = resources.grid_;
-  const ResourceSet& set = grid.newestIsFirst() ? resources.newestFirst_ : resources.newestSecond_;
+  const ResourceSet& set =
+      resources.grid_.newestIsFirst() ? resources.newestFirst_ : resources.newestSecond_;
   if (look.isSurface) {
-    const GraphicsPipeline& pipeline = look.isVeil ? veil_ : surface_;
-    const SurfacePush push = surfacePush(grid, view, look.mostQuads);
-    pipeline.bind(commands, set);
-    pipeline.draw(commands, push, surfaceVertexCount(push));
-    return;
+    drawSurface(commands, resources, set, look, view);
+  } else {
+    drawStruts(commands, resources, set, look, view);
   }
-  const bool ribbons = look.style == StrutStyle::ribbons;
-  const GraphicsPipeline& pipeline = resources.hasShares_
-                                         ? (ribbons ? shareRibbons_ : shareLines_)
-                                         : (ribbons ? strainRibbons_ : strainLines_);
-  pipeline.bind(commands, set);
-  drawStruts(commands, grid, pipeline, look, view);
 }
 
-void GridPainter::drawStruts(const vk::raii::CommandBuffer& commands, const DeviceGrid& grid,
-                             const GraphicsPipeline& pipeline, const GridLook& look,
-                             const LocalView& view) const {
-  const bool ribbons = look.style == StrutStyle::ribbons;
-  StrutPush push = strutPush(grid, view);
-  GridShape drawn = grid.shape();
-  if (!ribbons) {
+void GridPainter::drawSurface(const vk::raii::CommandBuffer& commands,
+                              const GridResources& resources, const ResourceSet& set,
+                              const GridLook& look, const LocalView& view) const {
+  const GraphicsPipeline& opaque = resources.hasShares_ ? surface_.shares : surface_.plain;
+  const GraphicsPipeline& pipeline = look.isVeil ? veil_ : opaque;
+  const SurfacePush push = surfacePush(resources.grid_, view, look.mostQuads);
+  pipeline.bind(commands, set);
+  pipeline.draw(commands, push, surfaceVertexCount(push));
+}
+
+void GridPainter::drawStruts(const vk::raii::CommandBuffer& commands,
+                             const GridResources& resources, const ResourceSet& set,
+                             const GridLook& look, const LocalView& view) const {
+  const Painter& painter = struts_[static_cast<std::size_t>(look.style)];
+  const GraphicsPipeline& pipeline = resources.hasShares_ ? painter.shares : painter.plain;
+  StrutPush push = strutPush(resources.grid_, view);
+  GridShape drawn = resources.grid_.shape();
+  if (look.style == StrutStyle::lines) {
     push.stride = look.stride;
     drawn.verticesU = drawnVertices(drawn.verticesU, look.stride);
     drawn.verticesV = drawnVertices(drawn.verticesV, look.stride);
   }
+  pipeline.bind(commands, set);
   const std::array<int, 3> counts = strutCounts(drawn);
   for (push.direction = 0; push.direction < 3; ++push.direction) {
     const auto count = static_cast<uint>(counts[push.direction]);
     if (look.directions[push.direction] && count > 0) {
-      pipeline.draw(commands, push, count * (ribbons ? kVerticesPerQuad : kVerticesPerLine));
+      pipeline.draw(commands, push, count * verticesPerStrut(look.style));
     }
   }
 }

@@ -8,11 +8,13 @@
 
 namespace morphgrid {
 
-/// A number for each strut of a grid in the device's memory, for shareColor().
+/// A number for each strut of a grid, and for each column, in the device's memory, for
+/// shareColor().
 class StrutShares {
  public:
-  /// shares: of a grid of vertexCount vertices. Throws DeviceError when memory runs out.
-  StrutShares(const Device& device, const StrutValues& shares);
+  /// struts: of a grid of vertexCount vertices. columns: layerVertexCount, which surfaces show;
+  /// none: 0. Throws DeviceError when memory runs out.
+  StrutShares(const Device& device, const StrutValues& struts, const Eigen::VectorXd& columns = {});
 
   const TexelView& texels() const { return texels_; }
 
@@ -22,14 +24,15 @@ class StrutShares {
 };
 
 enum class StrutStyle {
-  ribbons,  ///< Facing the eye, shaded like rods.
   lines,    ///< A pixel wide.
+  ribbons,  ///< Facing the eye, shaded like rods.
+  tubes,    ///< Prisms, from any side and up close what they look like.
 };
 
 /// What of a grid is drawn, and how.
 struct GridLook {
   bool isSurface = false;        ///< The middle layer's surface instead of the struts.
-  bool isVeil = false;           ///< Of a surface: translucent.
+  bool isVeil = false;           ///< Of a surface: translucent, without colours.
   std::optional<int> mostQuads;  ///< Of a surface, about; none: as surfacePush() chooses.
   StrutStyle style = StrutStyle::ribbons;
   int stride = 1;  ///< Of lines: they join every n-th vertex along u and v.
@@ -39,7 +42,8 @@ struct GridLook {
 /// What shaders read of a grid. Must live until the device has drawn.
 class GridResources {
  public:
-  /// shares may be null: struts are coloured by strain then. Keeps references. Throws DeviceError
+  /// shares may be null: struts are coloured by strain then, surfaces by their sides. Keeps
+  /// references. Throws DeviceError
   /// when the grid exceeds the device's limits.
   GridResources(const Device& device, const DeviceGrid& grid, const StrutShares* shares = nullptr);
 
@@ -70,15 +74,19 @@ class GridPainter {
             const GridLook& look, const LocalView& view) const;
 
  private:
-  void drawStruts(const vk::raii::CommandBuffer& commands, const DeviceGrid& grid,
-                  const GraphicsPipeline& pipeline, const GridLook& look,
-                  const LocalView& view) const;
+  /// A look, in the colours of strains or sides, and in those of shares.
+  struct Painter {
+    GraphicsPipeline plain;
+    GraphicsPipeline shares;
+  };
 
-  GraphicsPipeline strainRibbons_;
-  GraphicsPipeline shareRibbons_;
-  GraphicsPipeline strainLines_;
-  GraphicsPipeline shareLines_;
-  GraphicsPipeline surface_;
+  void drawStruts(const vk::raii::CommandBuffer& commands, const GridResources& resources,
+                  const ResourceSet& set, const GridLook& look, const LocalView& view) const;
+  void drawSurface(const vk::raii::CommandBuffer& commands, const GridResources& resources,
+                   const ResourceSet& set, const GridLook& look, const LocalView& view) const;
+
+  std::array<Painter, 3> struts_;  ///< By StrutStyle.
+  Painter surface_;
   GraphicsPipeline veil_;
 };
 

@@ -1,4 +1,4 @@
-// The surface of the middle layer, and the shares of its vertices.
+// The surface of the middle layer, and the shares of its columns.
 #version 450
 #extension GL_GOOGLE_include_directive : require
 #include "render/surface.glsl"
@@ -7,14 +7,15 @@ layout(binding = kBindingShares) uniform samplerBuffer shares;
 
 layout(location = 3) centroid out float share;
 
-float shareAt(ivec2 vertex) {
-  return texelFetch(shares, vertex.y * push.verticesU + vertex.x).r;
+float shareAt(ivec2 drawn) {
+  ivec2 column = min(drawn * push.stride, ivec2(push.verticesU, push.verticesV) - 1);
+  return texelFetch(shares, column.y * push.verticesU + column.x).a;
 }
 
 // Linear between vertices: a spline would leave their range.
 void main() {
   ivec2 lattice = placeVertex();
-  ivec2 low = min(lattice / push.refine, ivec2(push.verticesU, push.verticesV) - 2);
+  ivec2 low = min(lattice / push.refine, ivec2(push.drawnU, push.drawnV) - 2);
   vec2 t = vec2(lattice - low * push.refine) / float(push.refine);
   float front = mix(shareAt(low), shareAt(low + ivec2(1, 0)), t.x);
   float back = mix(shareAt(low + ivec2(0, 1)), shareAt(low + ivec2(1, 1)), t.x);

@@ -29,10 +29,16 @@ CONSTANT uint kBindingBalls = 3u;    // vec4 a ball: its centre, local; w is 0 f
 // A strut drawn as a line.
 CONSTANT uint kVerticesPerLine = 2u;
 
+// A strut drawn as a tube: a prism, of whose sides each has a triangle of the tips at both ends
+// too.
+CONSTANT uint kTubeSides = 6u;
+CONSTANT uint kVerticesPerTubeSide = 12u;
+CONSTANT uint kVerticesPerTube = kTubeSides * kVerticesPerTubeSide;
+
 // Struts and surfaces: bindings kBindingPositions and kBindingRest of solver_types.h, and shares.
 // Local coordinates are spacings about the zero of the fixed-point positions.
-CONSTANT uint kBindingShares =
-    4u;  // texels: a vec4 a vertex, its struts' to +u, +v; a float a vertex
+// Texels, a vec4 a vertex: of its struts to +u, +v, +w; in the bottom layer, of its column.
+CONSTANT uint kBindingShares = 4u;
 
 struct StrutPush {
   mat4 clipFromLocal;

@@ -1,6 +1,8 @@
 #include <algorithm>
 
+#include "gpu/offscreen_target.h"
 #include "render/draw_shares.h"
+#include "render/grid_painter.h"
 #include "shared/share_color.h"
 #include "tests/render/pixels.h"
 #include "tests/render/sample_grids.h"
@@ -81,6 +83,27 @@ TEST_F(SharePicture, SurfaceIsLinearBetweenItsVertices) {
       drawSurface(grid, shares, below, camera, Eigen::Isometry3d(Eigen::Translation3d(0, 0, -1)));
   for (const double x : {0.07, 0.25, 0.5, 0.8, 1.25, 1.9}) {
     expectColor(colorAt(image, camera, {x, 0.4, 0}), x < 1 ? x : 2 - x, 8);
+  }
+}
+
+TEST_F(SharePicture, SurfaceThroughFewerVerticesHasTheirShares) {
+  const StrutGrid grid = flatGrid({12, 9, 2});
+  Eigen::VectorXd shares(12 * 9);
+  for (int n = 0; n < shares.size(); ++n) {
+    shares[n] = n % 12 / 11.0;
+  }
+  const DeviceGrid onDevice(device_, grid);
+  const StrutShares uploaded(device_, StrutValues(grid.shape), shares);
+  const GridResources resources(device_, onDevice, &uploaded);
+  OffscreenTarget target(device_, kSide, kSide, 4);
+  const GridPainter painter(device_, target.renderPass(), target.samples());
+  const Camera camera = cameraAbove(grid);
+  const Image image{kSide, kSide, target.render([&](const vk::raii::CommandBuffer& commands) {
+                      painter.draw(commands, resources, {.isSurface = true, .mostQuads = 20},
+                                   viewOf(onDevice, kUnmoved, camera, kSide));
+                    })};
+  for (const double x : {0.4, 2.3, 5.2, 8.6, 10.4}) {
+    expectColor(colorAt(image, camera, {x, 1.4, 0.15}), x / 11, 8);
   }
 }
 

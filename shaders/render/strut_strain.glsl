@@ -1,24 +1,20 @@
-// A strut that shows its strain.
-#version 450
-#extension GL_GOOGLE_include_directive : require
-#include "render/strut.glsl"
-
+// What a strut shows of its strain. Before: placeCorner().
 layout(binding = kBindingRest) uniform isamplerBuffer restLengths;
 
 layout(location = 0) flat out float strain;
 layout(location = 6) out float behind;  // 0 in the layer next to the eye, 1 in the farthest.
 
 // How far behind the other layers this strut lies, from the column at its beginning.
-float placeBehind(Ribbon strut) {
+float placeBehind(Strut strut) {
   if (push.layers == 1) {
     return 0;
   }
   int layerLength = push.verticesU * push.verticesV;
   int lower = strut.lattice.z + 1 < push.layers ? strut.index : strut.index - layerLength;
-  vec3 towardsEye = push.eye - vec3(texelFetch(positions, strut.index).xyz) * push.resolution;
+  vec3 sight = push.eye - strut.start;
   vec3 upwards = armBetween(texelFetch(positions, lower),
                             texelFetch(positions, lower + layerLength), push.resolution);
-  float facingUp = dot(upwards, towardsEye) / max(length(upwards) * length(towardsEye), 1e-20);
+  float facingUp = dot(upwards, sight) / max(length(upwards) * length(sight), 1e-20);
   float height = float(strut.lattice.z) + (push.direction == 2 ? 0.5 : 0);
   float aboveMiddle = 2 * height / float(push.layers - 1) - 1;
   // Steep, but no step: where the eye looks along the layers none is in front.
@@ -26,7 +22,7 @@ float placeBehind(Ribbon strut) {
 }
 
 void main() {
-  Ribbon strut = placeCorner();
+  Strut strut = placeCorner();
   int rest = texelFetch(restLengths, strut.index)[push.direction];
   strain = lengthExcess(dot(strut.arm, strut.arm), rest, push.restResolution) /
            (float(rest) * push.restResolution);

@@ -1,7 +1,4 @@
-// A strut's colour by its strain.
-#version 450
-#extension GL_GOOGLE_include_directive : require
-#include "render/rod.glsl"
+// A strut in the colour of its strain. Before: shade().
 #include "shared/strain_color.h"
 
 layout(location = 0) flat in float strain;
@@ -11,6 +8,4 @@ layout(location = 0) out vec4 color;
 
 const float kFarthestLayer = 0.6;  // Brightness: layers behind recede.
 
-void main() {
-  color = vec4(shadeRod(strainColor(strain)) * mix(1, kFarthestLayer, behind), 1);
-}
+void main() { color = vec4(shade(strainColor(strain)) * mix(1, kFarthestLayer, behind), 1); }

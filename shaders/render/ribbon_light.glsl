@@ -9,7 +9,7 @@ layout(location = 3) in vec3 facing;
 layout(location = 4) in float pixels;
 layout(location = 5) in vec2 fromEnds;
 
-vec3 shadeRod(vec3 color) {
+vec3 shade(vec3 color) {
   float t = clamp(across, -1, 1);
   vec3 normal = normalize(t * side + sqrt(1 - t * t) * facing);
   float lit = 0.62 + 0.38 * dot(normal, push.towardsLight);

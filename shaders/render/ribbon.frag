@@ -1,0 +1,5 @@
+// A ribbon's colour by its strain.
+#version 450
+#extension GL_GOOGLE_include_directive : require
+#include "render/ribbon_light.glsl"
+#include "render/strain_paint.glsl"

@@ -1,0 +1,5 @@
+// A tube's colour by its share.
+#version 450
+#extension GL_GOOGLE_include_directive : require
+#include "render/tube_light.glsl"
+#include "render/share_paint.glsl"
