@@ -36,13 +36,12 @@ Eigen::VectorXd targetDistances(const ShownGrid& shown, const Eigen::Matrix3Xd& 
   return (middleLayer(shown.grid->shape, aligned) - targets).colwise().norm();
 }
 
-StrutValues distanceShares(const GridShape& shape, const Eigen::VectorXd& distances) {
+/// Of a strut, the mean of its ends' columns.
+StrutValues strutShares(const GridShape& shape, const Eigen::VectorXd& columns) {
   StrutValues shares(shape);
-  const double largest = std::max(distances.maxCoeff(), 1e-300);
   const int count = shape.layerVertexCount();
   for (const Strut& strut : listStruts(shape)) {
-    const double sum = distances[strut.from % count] + distances[strut.to % count];
-    valueAt(shares, strut) = std::min(0.5 * sum / largest, 1.0);
+    valueAt(shares, strut) = 0.5 * (columns[strut.from % count] + columns[strut.to % count]);
   }
   return shares;
 }
@@ -73,16 +72,17 @@ ColorShares computeColors(Coloring coloring, const ShownGrid& shown, const Snaps
   assert(coloring != Coloring::strain && canColor(coloring, shown, snapshot));
   const GridShape& shape = shown.grid->shape;
   if (coloring == Coloring::shrink) {
-    return {shrinkShares(*shown.grid, snapshot.maxShrinkage), shrinkLegend()};
+    return {shrinkShares(*shown.grid, snapshot.maxShrinkage), {}, shrinkLegend()};
   }
   if (coloring == Coloring::layer) {
-    return {layerShares(shape), layerLegend(shape.layers)};
+    return {layerShares(shape), {}, layerLegend(shape.layers)};
   }
   const Eigen::Matrix3Xd& targets = *snapshot.targets;
   const Eigen::VectorXd distances = targetDistances(shown, targets);
+  const double largest = distances.maxCoeff();
   const double diagonal = (targets.rowwise().maxCoeff() - targets.rowwise().minCoeff()).norm();
-  return {distanceShares(shape, distances),
-          distanceLegend(distances.maxCoeff(), 100 * distances.maxCoeff() / diagonal)};
+  const Eigen::VectorXd columns = distances / (largest > 0 ? largest : 1);
+  return {strutShares(shape, columns), columns, distanceLegend(largest, 100 * largest / diagonal)};
 }
 
 }  // namespace morphgrid

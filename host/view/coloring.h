@@ -7,9 +7,10 @@ namespace morphgrid {
 enum class Coloring { strain, shrink, layer, distance };
 constexpr std::array<const char*, 4> kColoringNames = {"strain", "shrink", "layer", "distance"};
 
-/// Numbers for the colours of struts, and what they mean.
+/// Numbers for the colours of struts and of the middle layer's surface, and what they mean.
 struct ColorShares {
   StrutValues shares;
+  Eigen::VectorXd columns;  ///< layerVertexCount; empty where surfaces have none.
   Legend legend;
 };
 
@@ -18,8 +19,8 @@ struct ColorShares {
 bool canColor(Coloring coloring, const ShownGrid& shown, const Snapshot& snapshot);
 
 /// For all but Coloring::strain, which the shaders compute. canColor() must hold.
-/// Shrink: the share of maxShrinkage. Layer: from the bottom to the top. Distance: of the middle of
-/// a strut's column to its target, from 0 to the largest.
+/// Shrink: the share of maxShrinkage. Layer: from the bottom to the top. Distance: of a column's
+/// middle to its target, from 0 to the largest; of a strut, the mean of its ends'.
 ColorShares computeColors(Coloring coloring, const ShownGrid& shown, const Snapshot& snapshot);
 
 }  // namespace morphgrid

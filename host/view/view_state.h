@@ -23,3 +23,23 @@ inline ShownStage stageOf(const ViewState& state, const Snapshot& snapshot) {
 }
 
 }  // namespace morphgrid
+inline const std::optional<ShownGrid>& gridOf(ShownStage stage, const Snapshot& snapshot) {
+  return snapshot.stages[static_cast<std::size_t>(stage)];
+}
+
+/// Not struts.
+inline bool looksLikeSurface(ShownStage stage) {
+  return stage == ShownStage::target || stage == ShownStage::sampling ||
+         stage == ShownStage::surface;
+}
+
+/// Whether what is shown is in colours that mean something: struts are, and the result's surface by
+/// its distance.
+inline bool isColored(const ViewState& state, const Snapshot& snapshot) {
+  const ShownStage stage = stageOf(state, snapshot);
+  const auto& shown = gridOf(stage, snapshot);
+  return !looksLikeSurface(stage) ||
+         (stage == ShownStage::surface && state.coloring == Coloring::distance && shown &&
+          canColor(Coloring::distance, *shown, snapshot));
+}
+

@@ -61,7 +61,7 @@ class ColorCache {
                        secondsBetween(made_, Clock::now()) < kColorSeconds;
     if (!isSame || !isNew) {
       ColorShares colors = computeColors(coloring, shown, snapshot);
-      shares_ = std::make_shared<StrutShares>(device_, colors.shares);
+      shares_ = std::make_shared<StrutShares>(device_, colors.shares, colors.columns);
       shareLegend_ = std::move(colors.legend);
       coloring_ = coloring;
       onDevice_ = shown.onDevice;
@@ -237,7 +237,7 @@ class Viewer {
     if (!shown) {
       return;
     }
-    if (!looksLikeSurface()) {
+    if (isColored(state_, *snapshot_)) {
       drawLegend(colors_.legend(), area());
     }
     if (state_.picked && shown->grid && shown->positions &&
@@ -249,16 +249,11 @@ class Viewer {
     }
   }
 
-  bool looksLikeSurface() const {
-    const ShownStage stage = stageOf(state_, *snapshot_);
-    return stage == ShownStage::target || stage == ShownStage::sampling ||
-           stage == ShownStage::surface;
-  }
-
   void pick(const glm::dvec2& pixel) {
     state_.picked.reset();
     const auto& shown = shownGrid();
-    if (shown && shown->grid && shown->positions && !looksLikeSurface()) {
+    if (shown && shown->grid && shown->positions &&
+        !looksLikeSurface(stageOf(state_, *snapshot_))) {
       const Eigen::Matrix3Xd placed = shown->worldFromGrid * *shown->positions;
       state_.picked = pickStrut(shown->grid->shape, placed, cameraNow().clipFromWorld(), area(),
                                 pixel, kPickReach);
@@ -276,11 +271,11 @@ class Viewer {
       governor_.begin(governed_);
     }
     DrawnGrid drawn{*shown, {}, nullptr};
-    drawn.look.isSurface = looksLikeSurface();
+    drawn.look.isSurface = looksLikeSurface(stageOf(state_, *snapshot_));
     drawn.look.style = detail().style;
     drawn.look.stride = detail().stride;
     drawn.look.mostQuads = kLiveQuads;
-    if (!drawn.look.isSurface) {
+    if (isColored(state_, *snapshot_)) {
       drawn.shares = colors_.sharesFor(state_.coloring, *shown, *snapshot_);
     }
     grids.push_back(std::move(drawn));
@@ -299,7 +294,7 @@ class Viewer {
       PictureOptions picture;
       picture.caption =
           fmt::format("{}: {}", snapshot_->title, nameOf(stageOf(state_, *snapshot_)));
-      if (!looksLikeSurface()) {
+      if (isColored(state_, *snapshot_)) {
         picture.legend = colors_.legend();
       }
       const SceneSize size = sceneSize(picture);
