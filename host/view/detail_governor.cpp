@@ -1,7 +1,6 @@
 #include "view/detail_governor.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace morphgrid {
 namespace {
@@ -11,12 +10,15 @@ namespace {
 constexpr double kLate = 0.040;
 constexpr double kWanted = 0.030;
 constexpr double kStill = 0.080;  // Of a frame that stays: still soon enough for an event.
-// Without struts, and for a strut, about. Only ratios matter once frames are measured.
-constexpr double kFrameCost = 0.018;
-constexpr double kPlainFrameCost = 0.007;
-constexpr double kRibbonCost = 2e-6;
-constexpr double kPlainRibbonCost = 1e-6;
-constexpr double kLineCost = 0.4e-6;
+
+/// What a frame takes with so many samples a pixel, about, in seconds. Only ratios matter once
+/// frames are measured.
+struct FrameCost {
+  double withoutStruts;
+  std::array<double, 3> strut;  ///< By StrutStyle.
+};
+constexpr FrameCost kPlainCost{0.007, {0.4e-6, 1e-6, 2.7e-6}};  // One sample.
+constexpr FrameCost kSmoothCost{0.018, {0.5e-6, 2e-6, 6e-6}};   // Four samples.
 constexpr double kWorthwhile = 0.9;  // Of a level's cost: a coarser one that spares less is none.
 constexpr int kFewestLines = 8;      // Each way.
 constexpr int kFewestFrames = 6;     // At a level, before it is judged.
@@ -28,67 +30,84 @@ double strutsDrawn(const GridShape& shape, int stride) {
   return drawn.strutCount();
 }
 
+/// From the finest to the coarsest, were there time for all of them or for none.
+std::vector<Detail> candidates(const GridShape& shape, std::optional<StrutStyle> style) {
+  std::vector<Detail> levels = {{StrutStyle::tubes, 4, 1},
+                                {StrutStyle::ribbons, 4, 1},
+                                {StrutStyle::ribbons, 1, 1},
+                                {StrutStyle::lines, 1, 1}};
+  if (style) {
+    levels = {{*style, 4, 1}, {*style, 1, 1}};
+  }
+  const int shorterSide = std::min(shape.verticesU, shape.verticesV) - 1;
+  if (levels.back().style == StrutStyle::lines) {
+    for (int stride = 2; stride * kFewestLines <= shorterSide; stride *= 2) {
+      levels.push_back({StrutStyle::lines, 1, stride});
+    }
+  }
+  return levels;
+}
+
 }  // namespace
 
 void DetailGovernor::begin(const GridShape& shape) {
   shape_ = shape;
+  restart();
+}
+
+void DetailGovernor::keepTo(std::optional<StrutStyle> style) {
+  if (style != style_) {
+    style_ = style;
+    restart();
+  }
+}
+
+void DetailGovernor::restart() {
+  levels_ = listLevels();
   change(finestWithin(kWanted));
 }
 
-Detail DetailGovernor::still() const { return finestWithin(kStill); }
+Detail DetailGovernor::still() const { return levels_[finestWithin(kStill)]; }
 
-Detail DetailGovernor::finestWithin(double seconds) const {
-  Detail detail{StrutStyle::ribbons, 4, 1};
-  while (slowness_ * cost(detail) > seconds && !(coarser(detail) == detail)) {
-    detail = coarser(detail);
+std::vector<Detail> DetailGovernor::listLevels() const {
+  std::vector<Detail> levels;
+  for (const Detail& detail : candidates(shape_, style_)) {
+    if (levels.empty() || cost(detail) <= kWorthwhile * cost(levels.back())) {
+      levels.push_back(detail);
+    }
   }
-  return detail;
-}
-
-void DetailGovernor::change(const Detail& detail) {
-  detail_ = detail;
-  frames_ = 0;
-  average_ = 0;
+  return levels;
 }
 
 double DetailGovernor::cost(const Detail& detail) const {
-  const double struts = strutsDrawn(shape_, detail.stride);
-  if (detail.samples > 1) {
-    return kFrameCost + kRibbonCost * struts;
-  }
-  return kPlainFrameCost +
-         (detail.style == StrutStyle::lines ? kLineCost : kPlainRibbonCost) * struts;
+  const FrameCost& frame = detail.samples > 1 ? kSmoothCost : kPlainCost;
+  return frame.withoutStruts +
+         frame.strut[static_cast<std::size_t>(detail.style)] * strutsDrawn(shape_, detail.stride);
 }
 
-Detail DetailGovernor::coarser(const Detail& detail) const {
-  Detail next{StrutStyle::lines, 1, 2 * detail.stride};
-  if (detail.samples > 1 || detail.style == StrutStyle::ribbons) {
-    next = {detail.samples > 1 ? StrutStyle::ribbons : StrutStyle::lines, 1, 1};
+std::size_t DetailGovernor::finestWithin(double seconds) const {
+  std::size_t level = 0;
+  while (level + 1 < levels_.size() && slowness_ * cost(levels_[level]) > seconds) {
+    ++level;
   }
-  const int shorterSide = std::min(shape_.verticesU, shape_.verticesV) - 1;
-  const bool isTooCoarse = next.stride > 1 && next.stride * kFewestLines > shorterSide;
-  return isTooCoarse || cost(next) > kWorthwhile * cost(detail) ? detail : next;
+  return level;
 }
 
-Detail DetailGovernor::finer(Detail detail) const {
-  if (detail.stride > 1) {
-    detail.stride /= 2;
-    return detail;
-  }
-  return {StrutStyle::ribbons, detail.style == StrutStyle::lines ? 1 : 4, 1};
+void DetailGovernor::change(std::size_t level) {
+  level_ = level;
+  frames_ = 0;
+  average_ = 0;
 }
 
 void DetailGovernor::update(double frameSeconds) {
   ++frames_;
   average_ += (frameSeconds - average_) / std::min(frames_, kFewestFrames);
-  slowness_ += (frameSeconds / cost(detail_) - slowness_) / kManyFrames;
+  slowness_ += (frameSeconds / cost(detail()) - slowness_) / kManyFrames;
   if (frames_ >= kFewestFrames && average_ > kLate) {
-    change(coarser(detail_));
-  } else if (frames_ >= kManyFrames) {
-    const Detail next = finer(detail_);
-    if (!(next == detail_) && slowness_ * cost(next) < kWanted) {
-      change(next);
-    }
+    change(std::min(level_ + 1, levels_.size() - 1));
+  } else if (frames_ >= kManyFrames && level_ > 0 &&
+             slowness_ * cost(levels_[level_ - 1]) < kWanted) {
+    change(level_ - 1);
   }
 }
 

@@ -1,4 +1,7 @@
 #pragma once
+#include <optional>
+#include <vector>
+
 #include "render/grid_painter.h"
 
 namespace morphgrid {
@@ -20,8 +23,10 @@ class DetailGovernor {
 
   /// Another grid.
   void begin(const GridShape& shape);
+  /// Keeps to a style, though frames be late; none: to no style.
+  void keepTo(std::optional<StrutStyle> style);
 
-  const Detail& detail() const { return detail_; }
+  const Detail& detail() const { return levels_[level_]; }
   /// For a frame that stays: nothing moves, so that it may take longer.
   Detail still() const;
 
@@ -30,14 +35,15 @@ class DetailGovernor {
 
  private:
   double cost(const Detail& detail) const;
-  /// The same where a coarser one would spare too little.
-  Detail coarser(const Detail& detail) const;
-  Detail finer(Detail detail) const;
-  void change(const Detail& detail);
-  Detail finestWithin(double seconds) const;
+  std::vector<Detail> listLevels() const;
+  void restart();
+  void change(std::size_t level);
+  std::size_t finestWithin(double seconds) const;
 
   GridShape shape_{};
-  Detail detail_{};
+  std::optional<StrutStyle> style_;
+  std::vector<Detail> levels_;  ///< From the finest to the coarsest, at least one.
+  std::size_t level_ = 0;
   double average_ = 0;   ///< Of the frames at this level, in seconds.
   int frames_ = 0;       ///< At this level.
   double slowness_ = 1;  ///< What frames take over what they are expected to, of late.

@@ -49,6 +49,15 @@ void handleStageKey(int key, const Snapshot& snapshot, ViewState& state) {
   }
 }
 
+/// Automatic, then each style.
+void takeNextStrutStyle(ViewState& state) {
+  const std::size_t next = state.strutStyle ? static_cast<std::size_t>(*state.strutStyle) + 1 : 0;
+  state.strutStyle.reset();
+  if (next < kStrutStyleNames.size()) {
+    state.strutStyle = static_cast<StrutStyle>(next);
+  }
+}
+
 void handlePlainKey(int key, const Snapshot& snapshot, ViewState& state, Session& session,
                     const WindowActions& actions) {
   handleStageKey(key, snapshot, state);
@@ -58,6 +67,8 @@ void handlePlainKey(int key, const Snapshot& snapshot, ViewState& state, Session
       state.coloring = static_cast<Coloring>(next % kColoringNames.size());
       break;
     }
+    case GLFW_KEY_S:
+      return takeNextStrutStyle(state);
     case GLFW_KEY_SPACE:
       state.isPaused = !state.isPaused;
       return session.pause(state.isPaused);

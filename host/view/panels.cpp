@@ -11,12 +11,15 @@ namespace {
 
 const ImVec4 kWarning{0.75F, 0.25F, 0.0F, 1};
 constexpr float kPlotHeight = 46;  // Pixels.
+constexpr float kStrutStyleWidth = 120;
+constexpr const char* kAutomatic = "automatic";
 constexpr const char* kHelp =
     "Drag with the left button: turn.  Right button or Shift: move.  Wheel: nearer, farther.\n"
     "Click a strut: its numbers.\n\n"
     "1 to 7     target, sampling, initial, in-plane, stacked, warped, surface\n"
     "0          what the run has reached\n"
     "C, T       next colour; target over the result\n"
+    "S          struts as lines, ribbons, tubes, or as fine as frames allow\n"
     "Space, N   pause or go on; one step\n"
     "R          start again, from flat\n"
     "F          all of it\n"
@@ -126,6 +129,23 @@ void drawStageChoice(const Snapshot& snapshot, ViewState& state) {
   }
 }
 
+void drawStrutStyleChoice(ViewState& state) {
+  const char* current =
+      state.strutStyle ? kStrutStyleNames[static_cast<std::size_t>(*state.strutStyle)] : kAutomatic;
+  if (ImGui::BeginCombo("struts", current)) {
+    if (ImGui::Selectable(kAutomatic, !state.strutStyle)) {
+      state.strutStyle.reset();
+    }
+    for (std::size_t n = 0; n < kStrutStyleNames.size(); ++n) {
+      const auto style = static_cast<StrutStyle>(n);
+      if (ImGui::Selectable(kStrutStyleNames[n], state.strutStyle == style)) {
+        state.strutStyle = style;
+      }
+    }
+    ImGui::EndCombo();
+  }
+}
+
 void drawLook(const Snapshot& snapshot, ViewState& state) {
   drawStageChoice(snapshot, state);
   ImGui::TextUnformatted("Colours:");
@@ -140,6 +160,9 @@ void drawLook(const Snapshot& snapshot, ViewState& state) {
     ImGui::EndDisabled();
   }
   ImGui::Checkbox("target over the result", &state.showsTarget);
+  ImGui::SameLine();
+  ImGui::SetNextItemWidth(kStrutStyleWidth);
+  drawStrutStyleChoice(state);
 }
 
 /// The new value as the scene file has it, when the user has changed it.

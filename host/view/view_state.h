@@ -1,15 +1,19 @@
 #pragma once
 #include <optional>
 
+#include "render/grid_painter.h"
 #include "view/coloring.h"
 
 namespace morphgrid {
+
+constexpr std::array<const char*, 3> kStrutStyleNames = {"lines", "ribbons", "tubes"};
 
 /// What the user has chosen to see.
 struct ViewState {
   std::optional<ShownStage> stage;  ///< None: what the run has reached.
   Coloring coloring = Coloring::strain;
-  bool showsTarget = true;  ///< Translucent, over the result.
+  std::optional<StrutStyle> strutStyle;  ///< None: as fine as frames allow.
+  bool showsTarget = true;               ///< Translucent, over the result.
   bool showsPanels = true;
   bool showsHelp = false;
   bool isPaused = false;
@@ -22,7 +26,6 @@ inline ShownStage stageOf(const ViewState& state, const Snapshot& snapshot) {
   return state.stage && snapshot.has(*state.stage) ? *state.stage : snapshot.newest;
 }
 
-}  // namespace morphgrid
 inline const std::optional<ShownGrid>& gridOf(ShownStage stage, const Snapshot& snapshot) {
   return snapshot.stages[static_cast<std::size_t>(stage)];
 }
@@ -43,3 +46,4 @@ inline bool isColored(const ViewState& state, const Snapshot& snapshot) {
           canColor(Coloring::distance, *shown, snapshot));
 }
 
+}  // namespace morphgrid

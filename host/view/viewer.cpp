@@ -270,6 +270,7 @@ class Viewer {
       governed_ = shown->onDevice->shape();
       governor_.begin(governed_);
     }
+    governor_.keepTo(state_.strutStyle);
     DrawnGrid drawn{*shown, {}, nullptr};
     drawn.look.isSurface = looksLikeSurface(stageOf(state_, *snapshot_));
     drawn.look.style = detail().style;
@@ -323,7 +324,8 @@ class Viewer {
           }
           for (DrawnGrid& drawn : grids) {
             const DeviceGrid& grid = *drawn.shown.onDevice;
-            drawn.look.style = StrutStyle::ribbons;
+            drawn.look.style = state_.strutStyle.value_or(StrutStyle::ribbons);
+            drawn.look.stride = 1;
             drawn.look.mostQuads.reset();
             resources.push_back(std::make_unique<GridResources>(device_, grid, drawn.shares.get()));
             painter.draw(commands, *resources.back(), drawn.look,

@@ -5,9 +5,10 @@
 namespace morphgrid {
 namespace {
 
-constexpr GridShape kSmall{18, 21, 3};
+constexpr GridShape kSmall{13, 15, 3};
+constexpr GridShape kMedium{18, 21, 3};
 constexpr GridShape kHuge{380, 440, 3};
-const Detail kFinest{StrutStyle::ribbons, 4, 1};
+const Detail kFinest{StrutStyle::tubes, 4, 1};
 
 void showFrames(DetailGovernor& governor, int count, double seconds) {
   for (int n = 0; n < count; ++n) {
@@ -17,6 +18,12 @@ void showFrames(DetailGovernor& governor, int count, double seconds) {
 
 TEST(DetailGovernor, DrawsFewStrutsAsFineAsItCan) {
   EXPECT_EQ(DetailGovernor(kSmall).detail(), kFinest);
+}
+
+TEST(DetailGovernor, DrawsThousandsOfStrutsAsRibbonsAndThemAsTubesWhereTheyStay) {
+  const DetailGovernor governor(kMedium);
+  EXPECT_EQ(governor.detail(), (Detail{StrutStyle::ribbons, 4, 1}));
+  EXPECT_EQ(governor.still(), kFinest);
 }
 
 TEST(DetailGovernor, DrawsAMillionStrutsAsFewLines) {
@@ -31,8 +38,14 @@ TEST(DetailGovernor, KeepsALevelWhoseFramesAreInTime) {
   EXPECT_EQ(governor.detail(), kFinest);
 }
 
-TEST(DetailGovernor, GoesDownLevelByLevelWhereFramesAreLate) {
+TEST(DetailGovernor, GoesDownFromTubesToRibbonsWhereFramesAreLate) {
   DetailGovernor governor(kSmall);
+  showFrames(governor, 6, 0.2);
+  EXPECT_EQ(governor.detail(), (Detail{StrutStyle::ribbons, 4, 1}));
+}
+
+TEST(DetailGovernor, GoesDownLevelByLevelWhereFramesAreLate) {
+  DetailGovernor governor(kMedium);
   showFrames(governor, 6, 0.2);
   EXPECT_EQ(governor.detail(), (Detail{StrutStyle::ribbons, 1, 1}));
   showFrames(governor, 6, 0.2);
@@ -68,9 +81,47 @@ TEST(DetailGovernor, RemembersASlowDevice) {
 
 TEST(DetailGovernor, DrawsAFrameThatStaysFinerThanOneThatMoves) {
   DetailGovernor governor({60, 60, 3});
-  EXPECT_NE(governor.detail(), kFinest);
-  EXPECT_EQ(governor.still(), kFinest);
+  EXPECT_EQ(governor.detail().samples, 1);
+  EXPECT_EQ(governor.still(), (Detail{StrutStyle::ribbons, 4, 1}));
   EXPECT_EQ(DetailGovernor(kHuge).still().style, StrutStyle::lines);
+}
+
+TEST(DetailGovernor, KeepsToTheStyleThatTheUserChose) {
+  for (const StrutStyle style : {StrutStyle::lines, StrutStyle::ribbons, StrutStyle::tubes}) {
+    DetailGovernor governor(kSmall);
+    governor.keepTo(style);
+    EXPECT_EQ(governor.detail(), (Detail{style, 4, 1}));
+    showFrames(governor, 100, 1);
+    EXPECT_EQ(governor.detail().style, style);
+    EXPECT_EQ(governor.detail().samples, 1);
+    governor.begin(kHuge);
+    EXPECT_EQ(governor.detail().style, style);
+    EXPECT_EQ(governor.still().style, style);
+  }
+}
+
+TEST(DetailGovernor, DrawsFewerLinesThroughALargeGridButAllRibbonsThatTheUserChose) {
+  DetailGovernor governor(kHuge);
+  governor.keepTo(StrutStyle::lines);
+  EXPECT_GT(governor.detail().stride, 1);
+  governor.keepTo(StrutStyle::ribbons);
+  EXPECT_EQ(governor.detail(), (Detail{StrutStyle::ribbons, 1, 1}));
+}
+
+TEST(DetailGovernor, ChoosesAgainWhenTheUserLeavesItTheStyle) {
+  DetailGovernor governor(kSmall);
+  governor.keepTo(StrutStyle::lines);
+  governor.keepTo(std::nullopt);
+  EXPECT_EQ(governor.detail(), kFinest);
+}
+
+TEST(DetailGovernor, IsNotDisturbedByTheSameChoice) {
+  DetailGovernor governor(kSmall);
+  showFrames(governor, 40, 0.2);
+  const Detail before = governor.detail();
+  ASSERT_NE(before, kFinest);
+  governor.keepTo(std::nullopt);
+  EXPECT_EQ(governor.detail(), before);
 }
 
 TEST(DetailGovernor, DoesNotTryALevelThatWouldBeLate) {

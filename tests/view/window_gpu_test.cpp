@@ -4,6 +4,7 @@
 #include <signal.h>
 
 #include <fstream>
+#include <functional>
 
 #include "tests/render/pixels.h"
 #include "tests/support/folders.h"
@@ -31,6 +32,8 @@ max_shrinkage = 0.5
 
 // Devices and fonts differ in the pixels along edges, and runs in the seconds that are told.
 constexpr double kLargestMeanDifference = 2;
+constexpr double kOther = 0.05;  // Another style moves the mean by more, the same one by less.
+constexpr int kLooks = 60;       // Until the window must have changed.
 
 /// The program in a window of a desktop of its own, under the validation layers: any message of
 /// theirs is exit code 4.
@@ -57,6 +60,19 @@ class ViewerWindow : public testing::Test {
     const std::string id = desktop_.awaitWindow(title);
     ASSERT_NE(id, "") << title;
     desktop_.run("xdotool windowfocus --sync " + id);
+  }
+
+  Image shot() { return readPng(desktop_.screenshot("shot").string()); }
+
+  /// Whether the window comes to differ from `image` so, by the mean of a byte.
+  bool awaitPicture(const std::function<bool(double difference)>& isSo, const Image& image) {
+    for (int n = 0; n < kLooks; ++n) {
+      if (isSo(differenceOf(shot(), image).mean)) {
+        return true;
+      }
+      desktop_.run("sleep 0.2");
+    }
+    return false;
   }
 
   void expectGolden(const std::string& name) {
@@ -92,6 +108,23 @@ TEST_F(ViewerWindow, StepsThroughTheStagesByKeys) {
   EXPECT_NE(desktop_.awaitWindow("^Dome, warped:"), "");
   desktop_.run("sleep 1");  // A picture that stays is drawn finer.
   expectGolden("viewer_window");
+  expectQuit(*viewer);
+}
+
+TEST_F(ViewerWindow, DrawsStrutsInTheStyleThatTheUserChooses) {
+  const auto viewer = start();
+  focus("^Dome, warped: at rest");
+  desktop_.run("sleep 1");  // A picture that stays is drawn finer.
+  const Image automatic = shot();
+  Image last = automatic;
+  for (const char* style : {"lines", "ribbons", "tubes"}) {
+    desktop_.press("s");
+    EXPECT_TRUE(awaitPicture([&](double difference) { return difference > kOther; }, last))
+        << style;
+    last = shot();
+  }
+  desktop_.press("s");
+  EXPECT_TRUE(awaitPicture([&](double difference) { return difference < kOther; }, automatic));
   expectQuit(*viewer);
 }
 
