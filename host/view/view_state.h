@@ -22,4 +22,14 @@ inline ShownStage stageOf(const ViewState& state, const Snapshot& snapshot) {
   return state.stage && snapshot.has(*state.stage) ? *state.stage : snapshot.newest;
 }
 
+inline const std::optional<ShownGrid>& gridOf(ShownStage stage, const Snapshot& snapshot) {
+  return snapshot.stages[static_cast<std::size_t>(stage)];
+}
+
+/// Not struts.
+inline bool looksLikeSurface(ShownStage stage) {
+  return stage == ShownStage::target || stage == ShownStage::sampling ||
+         stage == ShownStage::surface;
+}
+
 }  // namespace morphgrid
