@@ -231,6 +231,9 @@ int guarded(const std::function<int()>& work) {
   } catch (const vk::SystemError& error) {
     fmt::print(stderr, "device failure: {}\n", error.what());
     return kDeviceFailure;
+  } catch (const Cancelled&) {
+    fmt::print(stderr, "interrupted before anything was solved: nothing is written\n");
+    return kInterrupted;
   } catch (const std::bad_alloc&) {
     fmt::print(stderr, "the grid does not fit into memory; ask for fewer nodes\n");
     return kBadInput;

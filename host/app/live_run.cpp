@@ -22,9 +22,6 @@ using Clock = std::chrono::steady_clock;
 constexpr std::chrono::milliseconds kFramePatience(100);
 constexpr std::chrono::milliseconds kFilePatience(500);
 
-/// Ends a run that nobody waits for.
-struct Superseded {};
-
 std::size_t placeOf(ShownStage stage) { return static_cast<std::size_t>(stage); }
 
 /// The override of this key replaced, or a new one.
@@ -215,7 +212,7 @@ void LiveRun::work() {
     lock.unlock();
     try {
       run(overrides, start);
-    } catch (const Superseded&) {
+    } catch (const Cancelled&) {
     } catch (const std::exception& error) {
       publish([&](Snapshot& next) {
         next.activity = Activity::failed;
@@ -263,6 +260,7 @@ void LiveRun::run(const Overrides& overrides, Start start) {
   fileTime_ = std::filesystem::last_write_time(options_.scene, error);
   Scene scene = loadScene(options_.scene, overrides);
   files_ = scene.files;
+  scene.solve.isCancelled = [this] { return isCancelled(); };
   const SceneDesign designed = designScene(scene);
   design(scene, designed);
   if (!isCancelled()) {
@@ -318,7 +316,6 @@ void LiveRun::design(const Scene& scene, const SceneDesign& designed) {
 
 void LiveRun::simulate(Scene scene, const SceneDesign& designed, Start start) {
   scene.smallestEigenvalue = false;
-  scene.solve.isCancelled = [this] { return isCancelled(); };
   scene.solve.onProgress = [this](const ConvergenceSample& sample) { showSample(sample); };
   scene.solve.onGrid = [this](std::shared_ptr<const DeviceGrid> coarse) {
     publish([&](Snapshot& next) {
@@ -376,7 +373,7 @@ void LiveRun::finish(Simulation simulation) {
 /// The first of a run is the one in the plane.
 void LiveRun::showPrepared(const Stage& stage) {
   if (isCancelled()) {
-    throw Superseded();
+    throw Cancelled();
   }
   if (!stage.onDevice) {
     return;

@@ -95,6 +95,9 @@ RunRecord runScene(const Scene& scene, const RunOptions& options) {
                                       [&](const std::string& name, const Panel& panel) {
                                         writePicture(folder / (name + ".png"), panel, picture);
                                       });
+  if (scene.solve.stopRequested()) {
+    throw Cancelled();
+  }
   createFolder(folder);
   Simulation simulation = simulateScene(scene, designed, hands, keeper, options.quiet);
   exportFiles(simulation.stage, simulation.targetFromGrid, scene.files, folder);

@@ -59,6 +59,7 @@ void examine(const Stage& stage, const Scene& scene, RunRecord& record) {
 
 Simulation simulateScene(const Scene& scene, const SceneDesign& designed, Stagehands& hands,
                          CheckpointKeeper& keeper, bool quiet) {
+  const Cancellation cancellation(scene.solve.isCancelled);
   RunRecord record = recordOf(scene, designed);
   record.device =
       scene.method == Method::reference ? "CPU, double precision" : hands.device->name();
@@ -83,9 +84,12 @@ Simulation simulateScene(const Scene& scene, const SceneDesign& designed, Stageh
     noteSaddle(record, "full", *record.full);
   }
 
+  cancellation.check();
   const Eigen::Matrix3Xd& positions = stage.equilibrium.positions;
   record.errors = computeStrutErrors(designed.design, stage.grid, positions);
+  cancellation.check();
   examine(stage, scene, record);
+  cancellation.check();
   if (designed.targets) {
     record.distance = computeTargetDistance(middleLayer(stage.grid.shape, positions),
                                             *designed.targets, closestPointsOfTarget(scene));
