@@ -161,6 +161,7 @@ void LiveRun::run(const Overrides& overrides, Start start) {
   Scene scene = loadScene(options_.scene, overrides);
   scene.solve.isCancelled = [this] { return isCancelled(); };
   files_ = scene.files;
+  display_.showScene(scene);
   const SceneDesign designed = designScene(scene);
   requireRoom(*device_, scene, designed.design);
   display_.showDesign(scene, designed);

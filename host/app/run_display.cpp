@@ -64,6 +64,16 @@ void RunDisplay::showBegin() {
   });
 }
 
+void RunDisplay::showScene(const Scene& scene) {
+  isOnDevice_ = scene.method != Method::reference;
+  board_.post([&](Snapshot& next) {
+    next.title = scene.title;
+    next.knobs = keepRanges(knobsOf(scene), next.knobs);
+    next.view = scene.mesh ? kMeshView : kPatchView;
+    next.maxShrinkage = scene.design.maxShrinkage;
+  });
+}
+
 std::optional<ShownGrid> RunDisplay::makeTarget(const GridShape& shape,
                                                 const SceneDesign& designed) {
   reference_.reset();
@@ -84,17 +94,12 @@ void RunDisplay::showDesign(const Scene& scene, const SceneDesign& designed) {
   const RunRecord record = recordOf(scene, designed);
   const auto target = makeTarget(record.grid.shape, designed);
   const auto sampling = samplingOf(scene, designed);
-  isOnDevice_ = scene.method != Method::reference;
   board_.post([&](Snapshot& next) {
-    next.title = scene.title;
     next.stages = {};
     next.sampling = sampling;
     slotOf(ShownStage::target, next) = target;
     next.newest = ShownStage::target;
     next.targets = reference_;
-    next.view = scene.mesh ? kMeshView : kPatchView;
-    next.maxShrinkage = scene.design.maxShrinkage;
-    next.knobs = keepRanges(knobsOf(scene), next.knobs);
     next.figures = toTable(record);
     next.notices = record.notices;
     next.extent.setEmpty();

@@ -11,6 +11,8 @@ class RunDisplay {
   RunDisplay(const Device& device, SnapshotBoard& board) : device_(device), board_(board) {}
 
   void showBegin();
+  /// The scene that is about to be designed, and its knobs: they can be turned while it is.
+  void showScene(const Scene& scene);
   /// The target, and what the design says.
   void showDesign(const Scene& scene, const SceneDesign& designed);
   /// The first of a run is the one in the plane.

@@ -303,7 +303,7 @@ TEST_F(LiveSession, ClosesWhileItDesigns) {
 TEST_F(LiveSession, AKnobTakesThePlaceOfTheDesignUnderWay) {
   folder_.write("patch.toml", kPatch);
   start(kVault, {"grid.nodes_long=1500"});
-  awaitActivity(Activity::designing);
+  await([](const Snapshot& s) { return !s.knobs.empty(); });
   session_->turnKnob("grid.nodes_long", "6");
   EXPECT_EQ(awaitRest()->targets->cols(), 7 * 7);
 }
