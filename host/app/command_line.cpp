@@ -232,7 +232,7 @@ int guarded(const std::function<int()>& work) {
     fmt::print(stderr, "device failure: {}\n", error.what());
     return kDeviceFailure;
   } catch (const Cancelled&) {
-    fmt::print(stderr, "interrupted before anything was solved: nothing is written\n");
+    fmt::print(stderr, "interrupted before anything was solved\n");
     return kInterrupted;
   } catch (const std::bad_alloc&) {
     fmt::print(stderr, "the grid does not fit into memory; ask for fewer nodes\n");

@@ -100,7 +100,6 @@ RunRecord runScene(const Scene& scene, const RunOptions& options) {
   }
   createFolder(folder);
   Simulation simulation = simulateScene(scene, designed, hands, keeper, options.quiet);
-  exportFiles(simulation.stage, simulation.targetFromGrid, scene.files, folder);
   hands.requireSilence();
   RunRecord& record = simulation.record;
   record.deviceFailure = hands.failure;
@@ -113,6 +112,8 @@ RunRecord runScene(const Scene& scene, const RunOptions& options) {
                         toInversePlot(*record.inverse, scene.design.maxShrinkage));
   }
   writeFileAtomically(folder / "report.json", toJson(record));
+  // Last: the files of a large grid may exceed what their formats or the disk hold.
+  exportFiles(simulation.stage, simulation.targetFromGrid, scene.files, folder);
   return std::move(record);
 }
 

@@ -72,6 +72,9 @@ Simulation simulateScene(const Scene& scene, const SceneDesign& designed, Stageh
   Stages stages(scene, hands, keeper, quiet);
   Stage stage = stages.runInPlane(designed.design);
   record.inPlane = stage.equilibrium;
+  if (record.inPlane->reason == StopReason::interrupted && record.inPlane->iterations == 0) {
+    throw Cancelled();
+  }
   noteSaddle(record, "in-plane", *record.inPlane);
   if (designed.design.layers > 1) {
     stage = stages.runFull(designed.design, record.inPlane->positions);
