@@ -11,7 +11,7 @@
 #include "app/pipeline.h"
 #include "core/error.h"
 #include "core/interrupt.h"
-#include "report/report_files.h"
+#include "report/report_table.h"
 #include "view/viewer.h"
 
 namespace morphgrid {

@@ -12,7 +12,8 @@
 #include "export/surface_files.h"
 #include "export/vtu.h"
 #include "report/inverse_plot.h"
-#include "report/report_files.h"
+#include "report/report_csv.h"
+#include "report/report_json.h"
 
 namespace morphgrid {
 namespace {

@@ -4,7 +4,7 @@
 
 #include "app/scene_knobs.h"
 #include "core/rigid_alignment.h"
-#include "report/report_files.h"
+#include "report/report_table.h"
 #include "view/view_state.h"
 
 namespace morphgrid {
