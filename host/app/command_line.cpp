@@ -38,7 +38,7 @@ Examples:
 
 Exit codes: 0 converged, 2 bad input, 3 not converged (results written),
             4 device failure (what was solved before it is written),
-            130 interrupted (results written))";
+            130 interrupted (results written, if the solver had begun))";
 
 struct Arguments {
   std::filesystem::path scene;
