@@ -11,7 +11,7 @@
 #include "app/pipeline.h"
 #include "core/error.h"
 #include "core/interrupt.h"
-#include "report/report_files.h"
+#include "report/report_table.h"
 #include "view/viewer.h"
 
 namespace morphgrid {
@@ -38,7 +38,7 @@ Examples:
 
 Exit codes: 0 converged, 2 bad input, 3 not converged (results written),
             4 device failure (what was solved before it is written),
-            130 interrupted (results written))";
+            130 interrupted (results written, if the solver had begun))";
 
 struct Arguments {
   std::filesystem::path scene;
@@ -231,6 +231,9 @@ int guarded(const std::function<int()>& work) {
   } catch (const vk::SystemError& error) {
     fmt::print(stderr, "device failure: {}\n", error.what());
     return kDeviceFailure;
+  } catch (const Cancelled&) {
+    fmt::print(stderr, "interrupted before anything was solved\n");
+    return kInterrupted;
   } catch (const std::bad_alloc&) {
     fmt::print(stderr, "the grid does not fit into memory; ask for fewer nodes\n");
     return kBadInput;

@@ -84,12 +84,14 @@ SceneDesign designMeasured(const SurfaceSurvey& survey, const DesignRequest& req
   return designed;
 }
 
-SceneDesign designFromSurface(const Surface& surface, const DesignRequest& request) {
+SceneDesign designFromSurface(const Surface& surface, const DesignRequest& request,
+                              const Cancellation& cancellation) {
   const auto points = [&](const Net& net) {
+    cancellation.check();
     return PointLattice{net.nodesU + 1, net.nodesV + 1, pointsAt(surface, net.parameters)};
   };
   return designMeasured(
-      surveySurface(surface), request,
+      surveySurface(surface, cancellation), request,
       {.lattice = [&](int countU,
                       int countV) { return points(isolineNet(countU - 1, countV - 1)); },
        .points = points,
@@ -98,15 +100,16 @@ SceneDesign designFromSurface(const Surface& surface, const DesignRequest& reque
            [&](const PointLattice& netPoints, double curvatureLimit) {
              return request.net == NetKind::isoline
                         ? measureSurface(surface, netPoints.countU - 1, netPoints.countV - 1,
-                                         curvatureLimit)
-                        : measureLattice(netPoints, curvatureLimit, 0);
+                                         curvatureLimit, cancellation)
+                        : measureLattice(netPoints, curvatureLimit, 0, cancellation);
            }});
 }
 
-SceneDesign designFromMesh(const MeshTarget& target, const DesignRequest& request) {
-  MeshSampler sampler(target);
+SceneDesign designFromMesh(const MeshTarget& target, const DesignRequest& request,
+                           const Cancellation& cancellation) {
+  MeshSampler sampler(target, cancellation);
   RayHits hits = sampler.cast(target.samplesU, target.samplesV);
-  const LatticeSurvey survey = surveyLattice(hits.lattice(), target.smoothingWidth);
+  const LatticeSurvey survey = surveyLattice(hits.lattice(), target.smoothingWidth, cancellation);
   const auto points = [&](const Net& net) {
     if (request.net == NetKind::isoline) {
       return sampler.cast(net.nodesU + 1, net.nodesV + 1).lattice();
@@ -120,7 +123,7 @@ SceneDesign designFromMesh(const MeshTarget& target, const DesignRequest& reques
        .normals = [&](const Net& net) { return sampler.normals(net.parameters, hits); },
        .measure =
            [&](const PointLattice& netPoints, double curvatureLimit) {
-             return measureLattice(netPoints, curvatureLimit, target.smoothingWidth);
+             return measureLattice(netPoints, curvatureLimit, target.smoothingWidth, cancellation);
            }});
   designed.measurement->curvatureNoise = survey.curvatureNoise;
   designed.sampling = MeshSampling{std::move(hits), sampler.figures()};
@@ -146,12 +149,13 @@ const char* nameOf(Scaling scaling) {
 }
 
 SceneDesign designScene(const Scene& scene) {
+  const Cancellation cancellation([&] { return scene.solve.stopRequested(); });
   try {
     if (scene.surface) {
-      return designFromSurface(*scene.surface, scene.design);
+      return designFromSurface(*scene.surface, scene.design, cancellation);
     }
     if (scene.mesh) {
-      return designFromMesh(*scene.mesh, scene.design);
+      return designFromMesh(*scene.mesh, scene.design, cancellation);
     }
     return {designFromBendAngles(*scene.bendAngles), {}, {}, {}, {}, {}};
   } catch (const InputError& error) {

@@ -19,7 +19,8 @@ struct SceneDesign {
   std::vector<std::string> notices;         ///< What was clamped or overridden.
 };
 
-/// Measures the surface and designs the grid. Throws InputError when they cannot be had.
+/// Measures the surface and designs the grid. Throws InputError when they cannot be had, Cancelled
+/// when scene.solve is requested to stop.
 SceneDesign designScene(const Scene& scene);
 
 /// As scene files call them.

@@ -9,7 +9,7 @@
 #include "core/error.h"
 #include "core/interrupt.h"
 #include "render/font.h"
-#include "report/report_files.h"
+#include "report/report_table.h"
 
 namespace morphgrid {
 namespace {

@@ -1,11 +1,11 @@
 #pragma once
 #include <condition_variable>
-#include <mutex>
 #include <thread>
 
-#include "app/simulate_scene.h"
-#include "view/session.h"
-#include "view/undo_stack.h"
+#include "app/run_display.h"
+#include "app/scene_edits.h"
+#include "app/step_gate.h"
+#include "core/file_watch.h"
 
 namespace morphgrid {
 
@@ -24,66 +24,55 @@ class LiveRun final : public Session {
   /// Cancels the run and waits for it.
   ~LiveRun() override;
 
-  std::shared_ptr<const Snapshot> snapshot() const override;
-  void noteFrame() override;
-  void pause(bool isPaused) override;
-  void step() override;
-  void showEveryStep(bool isShown) override;
-  void restart() override;
+  std::shared_ptr<const Snapshot> snapshot() const override { return board_.newest(); }
+  void noteFrame() override { gate_.noteFrame(); }
+  void pause(bool isPaused) override { gate_.pause(isPaused); }
+  void step() override { gate_.step(); }
+  void showEveryStep(bool isShown) override { gate_.showEveryStep(isShown); }
+  void restart() override { demand(Start::flat); }
   void turnKnob(const std::string& key, const std::string& value) override;
   void undo() override;
   void redo() override;
-  void reload() override;
+  void reload() override { demand(Start::flat); }
   void saveScene() override;
   void exportFiles() override;
 
  private:
-  using Overrides = std::vector<std::string>;
+  using Overrides = SceneEdits::Overrides;
   enum class Start { flat, near };
 
   // By any thread.
-  template <typename Change>
-  void publish(const Change& change);
   void demand(Start start);
   void tell(const std::string& message);
+  bool isCancelled() const;
 
   // By the worker.
   void work();
   bool awaitDemand();
-  void noteFileTime();
+  void workOnce();
+  void attemptRun(const Overrides& overrides, Start start);
   void run(const Overrides& overrides, Start start);
-  void design(const Scene& scene, const SceneDesign& designed);
   void simulate(Scene scene, const SceneDesign& designed, Start start);
-  void finish(Simulation simulation);
-  void showPrepared(const Stage& stage);
-  void showSample(const ConvergenceSample& sample);
-  void awaitLeave();
-  bool isCancelled() const;
+  void watchSources(const Overrides& overrides);
+  void noteChangedSources();
   void writeFiles();
 
   std::shared_ptr<Device> device_;
   LiveRunOptions options_;
+  SnapshotBoard board_;
+  StepGate gate_;
 
   mutable std::mutex mutex_;
   std::condition_variable changed_;
-  std::shared_ptr<const Snapshot> snapshot_ = std::make_shared<Snapshot>();
-  UndoStack<Overrides> overrides_;
+  SceneEdits edits_;  ///< Changed by the session's user alone.
   std::optional<Start> demand_ = Start::flat;
-  bool isEnding_ = false;
-  bool isPaused_ = false;
   bool wantsFiles_ = false;
-  bool showsEveryStep_ = true;
-  long leaves_ = 0;  ///< Steps that were asked for one by one.
-  long frames_ = 0;
+  bool isEnding_ = false;
 
   // The worker's own.
-  std::filesystem::file_time_type fileTime_;
-  int preparedStages_ = 0;
-  ShownGrid live_;  ///< What is solved.
-  std::shared_ptr<const Eigen::Matrix3Xd>
-      reference_;  ///< Of its middle layer: where it should lie.
-  GridShape referenceShape_{};
-  bool hasPositions_ = true;  ///< Whether the device's positions are those of the solve.
+  RunDisplay display_;
+  std::vector<std::filesystem::path> sources_;
+  FileWatch watch_;
   Eigen::Matrix3Xd lastInPlane_, lastFull_;
   std::optional<Simulation> result_;
   FileChoices files_;

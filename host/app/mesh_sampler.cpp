@@ -48,8 +48,9 @@ double interpolateX(const RayHits& lattice, const Eigen::Vector2d& parameters) {
 
 }  // namespace
 
-MeshSampler::MeshSampler(const MeshTarget& target)
+MeshSampler::MeshSampler(const MeshTarget& target, Cancellation cancellation)
     : target_(target),
+      cancellation_(std::move(cancellation)),
       caster_(timed(figures_.secondsBuild, [&] { return MeshRayCaster(target.mesh); })) {
   figures_.file = target.file.string();
   figures_.triangles = static_cast<int>(target.mesh.triangles.cols());
@@ -59,8 +60,8 @@ MeshSampler::MeshSampler(const MeshTarget& target)
 }
 
 RayHits MeshSampler::cast(int countU, int countV) {
-  RayHits hits =
-      timed(figures_.secondsRays, [&] { return caster_.cast(target_.box, countU, countV); });
+  RayHits hits = timed(figures_.secondsRays,
+                       [&] { return caster_.cast(target_.box, countU, countV, cancellation_); });
   figures_.rays += static_cast<int>(hits.hit.size());
   figures_.missed += static_cast<int>(std::count(hits.hit.begin(), hits.hit.end(), 0));
   if (target_.fillHoles > 0) {
@@ -78,7 +79,7 @@ Eigen::Matrix3Xd MeshSampler::castThrough(const Eigen::Matrix2Xd& parameters,
       (Eigen::Vector2d(box.uLength, box.vLength).asDiagonal() * parameters).colwise() +
       Eigen::Vector2d(box.uStart, box.vStart);
   Eigen::Matrix3Xd points =
-      timed(figures_.secondsRays, [&] { return caster_.castThrough(places); });
+      timed(figures_.secondsRays, [&] { return caster_.castThrough(places, cancellation_); });
   figures_.rays += static_cast<int>(points.cols());
   for (Eigen::Index n = 0; n < points.cols(); ++n) {
     if (!std::isnan(points(0, n))) continue;

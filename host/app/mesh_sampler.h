@@ -7,8 +7,8 @@ namespace morphgrid {
 /// Samples a mesh target with rays, and keeps count.
 class MeshSampler {
  public:
-  /// Keeps a reference. Builds the hierarchy.
-  explicit MeshSampler(const MeshTarget& target);
+  /// Keeps a reference. Builds the hierarchy. Rays throw Cancelled where that is requested.
+  explicit MeshSampler(const MeshTarget& target, Cancellation cancellation = {});
 
   /// A lattice of rays over the box; holes filled as far as the target allows. Throws InputError
   /// with advice when rays miss all the same or a step is too steep.
@@ -33,6 +33,7 @@ class MeshSampler {
   void requireGentleSteps(const RayHits& hits);
 
   const MeshTarget& target_;
+  Cancellation cancellation_;
   MeshRayCaster caster_;
   MeshFigures figures_;
 };

@@ -12,7 +12,8 @@
 #include "export/surface_files.h"
 #include "export/vtu.h"
 #include "report/inverse_plot.h"
-#include "report/report_files.h"
+#include "report/report_csv.h"
+#include "report/report_json.h"
 
 namespace morphgrid {
 namespace {
@@ -95,9 +96,11 @@ RunRecord runScene(const Scene& scene, const RunOptions& options) {
                                       [&](const std::string& name, const Panel& panel) {
                                         writePicture(folder / (name + ".png"), panel, picture);
                                       });
+  if (scene.solve.stopRequested()) {
+    throw Cancelled();
+  }
   createFolder(folder);
   Simulation simulation = simulateScene(scene, designed, hands, keeper, options.quiet);
-  exportFiles(simulation.stage, simulation.targetFromGrid, scene.files, folder);
   hands.requireSilence();
   RunRecord& record = simulation.record;
   record.deviceFailure = hands.failure;
@@ -110,6 +113,8 @@ RunRecord runScene(const Scene& scene, const RunOptions& options) {
                         toInversePlot(*record.inverse, scene.design.maxShrinkage));
   }
   writeFileAtomically(folder / "report.json", toJson(record));
+  // Last: the files of a large grid may exceed what their formats or the disk hold.
+  exportFiles(simulation.stage, simulation.targetFromGrid, scene.files, folder);
   return std::move(record);
 }
 

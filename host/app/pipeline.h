@@ -29,7 +29,8 @@ void noteMissingRoom(const Scene& scene, RunRecord& record);
 /// pictures and files in the output folder. When the device fails on the way, the record and the
 /// files hold what was done so far, without more pictures. Throws InputError when the scene cannot
 /// be built, the folder or checkpoint cannot be written or the checkpoint to resume from will not
-/// do, DeviceError when there is no device that will do.
+/// do, DeviceError when there is no device that will do, Cancelled when the user has asked to stop
+/// before anything was solved.
 RunRecord runScene(const Scene& scene, const RunOptions& options);
 
 }  // namespace morphgrid

@@ -59,6 +59,7 @@ void examine(const Stage& stage, const Scene& scene, RunRecord& record) {
 
 Simulation simulateScene(const Scene& scene, const SceneDesign& designed, Stagehands& hands,
                          CheckpointKeeper& keeper, bool quiet) {
+  const Cancellation cancellation(scene.solve.isCancelled);
   RunRecord record = recordOf(scene, designed);
   record.device =
       scene.method == Method::reference ? "CPU, double precision" : hands.device->name();
@@ -71,6 +72,9 @@ Simulation simulateScene(const Scene& scene, const SceneDesign& designed, Stageh
   Stages stages(scene, hands, keeper, quiet);
   Stage stage = stages.runInPlane(designed.design);
   record.inPlane = stage.equilibrium;
+  if (record.inPlane->reason == StopReason::interrupted && record.inPlane->iterations == 0) {
+    throw Cancelled();
+  }
   noteSaddle(record, "in-plane", *record.inPlane);
   if (designed.design.layers > 1) {
     stage = stages.runFull(designed.design, record.inPlane->positions);
@@ -83,9 +87,12 @@ Simulation simulateScene(const Scene& scene, const SceneDesign& designed, Stageh
     noteSaddle(record, "full", *record.full);
   }
 
+  cancellation.check();
   const Eigen::Matrix3Xd& positions = stage.equilibrium.positions;
   record.errors = computeStrutErrors(designed.design, stage.grid, positions);
+  cancellation.check();
   examine(stage, scene, record);
+  cancellation.check();
   if (designed.targets) {
     record.distance = computeTargetDistance(middleLayer(stage.grid.shape, positions),
                                             *designed.targets, closestPointsOfTarget(scene));

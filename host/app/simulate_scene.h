@@ -14,7 +14,9 @@ struct Simulation {
 };
 
 /// Solves in the plane, stacks, solves in space, with the inverse design that the scene asks for;
-/// draws on the way. The keeper says where to begin.
+/// draws on the way. The keeper says where to begin. Throws Cancelled where scene.solve is
+/// cancelled, because nobody waits for the result, and when the user interrupts before anything is
+/// solved.
 Simulation simulateScene(const Scene& scene, const SceneDesign& designed, Stagehands& hands,
                          CheckpointKeeper& keeper, bool quiet);
 

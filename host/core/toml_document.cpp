@@ -102,12 +102,13 @@ std::optional<std::filesystem::path> baseOf(const toml::table& document, const C
   return base;
 }
 
-/// Puts a document over what it extends. chain: its file, after those that extend it.
-toml::table overBase(toml::table document, Chain chain) {
+/// Puts a document over what it extends. chain: its file, after those that extend it; those that it
+/// extends are added.
+toml::table overBase(toml::table document, Chain& chain) {
   const auto base = baseOf(document, chain);
   if (!base) return document;
   chain.push_back(*base);
-  toml::table whole = overBase(parseFile(*base), std::move(chain));
+  toml::table whole = overBase(parseFile(*base), chain);
   merge(whole, std::move(document));
   return whole;
 }
@@ -124,8 +125,8 @@ Place placeOf(const toml::source_region& source) {
   return {path, static_cast<int>(source.begin.line), static_cast<int>(source.begin.column)};
 }
 
-toml::table parseToml(const std::filesystem::path& file,
-                      const std::vector<std::string>& overrides) {
+toml::table parseTomlAlone(const std::filesystem::path& file,
+                           const std::vector<std::string>& overrides) {
   ProblemList problems;
   toml::table document;
   try {
@@ -141,7 +142,20 @@ toml::table parseToml(const std::filesystem::path& file,
     }
   }
   problems.throwIfAny();
-  return overBase(std::move(document), {file});
+  return document;
+}
+
+toml::table parseToml(const std::filesystem::path& file,
+                      const std::vector<std::string>& overrides) {
+  Chain chain = {file};
+  return overBase(parseTomlAlone(file, overrides), chain);
+}
+
+std::vector<std::filesystem::path> listTomlFiles(const std::filesystem::path& file,
+                                                 const std::vector<std::string>& overrides) {
+  Chain chain = {file};
+  overBase(parseTomlAlone(file, overrides), chain);
+  return chain;
 }
 
 }  // namespace morphgrid

@@ -19,6 +19,14 @@ namespace morphgrid {
 toml::table parseToml(const std::filesystem::path& file,
                       const std::vector<std::string>& overrides = {});
 
+/// The same without what the file extends; a relative `extends` stays true beside the file.
+toml::table parseTomlAlone(const std::filesystem::path& file,
+                           const std::vector<std::string>& overrides = {});
+
+/// The files that parseToml() reads: the file itself, then those that it extends.
+std::vector<std::filesystem::path> listTomlFiles(const std::filesystem::path& file,
+                                                 const std::vector<std::string>& overrides = {});
+
 /// Whether a node of such a document was set by an override.
 bool isOverride(const toml::source_region& source);
 

@@ -65,11 +65,13 @@ Eigen::RowVectorXd smoothedCurvatures(const Isoline& line, double width) {
 /// The lines of a lattice.
 class Isolines {
  public:
-  Isolines(const PointLattice& lattice, int samplesPerSegment, double smoothingWidth)
+  Isolines(const PointLattice& lattice, int samplesPerSegment, double smoothingWidth,
+           const Cancellation& cancellation)
       : lattice_(lattice),
         normals_(normalsOf(lattice)),
         samples_(samplesPerSegment),
-        smoothingWidth_(smoothingWidth) {
+        smoothingWidth_(smoothingWidth),
+        cancellation_(cancellation) {
     assert(lattice.countU >= 2 && lattice.countV >= 2);
   }
 
@@ -80,6 +82,7 @@ class Isolines {
 
  private:
   Isoline walk(int first, int count, int step) const {
+    cancellation_.check();
     const auto columns = Eigen::seqN(first, count, step);
     const Matrix3Xd points = lattice_.points(Eigen::all, columns);
     const Matrix3Xd normals = normals_(Eigen::all, columns);
@@ -118,6 +121,7 @@ class Isolines {
   Matrix3Xd normals_;
   int samples_;
   double smoothingWidth_;
+  const Cancellation& cancellation_;
 };
 
 /// What a survey gathers from all isolines.
@@ -154,8 +158,9 @@ Eigen::RowVectorXd cappedMeans(const Isoline& line, double limit) {
 
 }  // namespace
 
-LatticeSurvey surveyLattice(const PointLattice& lattice, double smoothingWidth) {
-  const Isolines isolines(lattice, kSurveySamplesPerSegment, smoothingWidth);
+LatticeSurvey surveyLattice(const PointLattice& lattice, double smoothingWidth,
+                            const Cancellation& cancellation) {
+  const Isolines isolines(lattice, kSurveySamplesPerSegment, smoothingWidth, cancellation);
   DirectionSurvey u;
   DirectionSurvey v;
   CurvatureSamples samples;
@@ -169,10 +174,10 @@ LatticeSurvey surveyLattice(const PointLattice& lattice, double smoothingWidth) 
 }
 
 SurfaceMeasurement measureLattice(const PointLattice& lattice, double curvatureLimit,
-                                  double smoothingWidth) {
+                                  double smoothingWidth, const Cancellation& cancellation) {
   const int nodesU = lattice.countU - 1;
   const int nodesV = lattice.countV - 1;
-  const Isolines isolines(lattice, kSamplesPerStrut, smoothingWidth);
+  const Isolines isolines(lattice, kSamplesPerStrut, smoothingWidth, cancellation);
   SurfaceMeasurement measurement{nodesU, nodesV, LateralField<double>(nodesU, nodesV),
                                  LateralField<double>(nodesU, nodesV), lattice.points};
   for (int j = 0; j <= nodesV; ++j) {

@@ -27,13 +27,14 @@ struct LatticeSurvey {
   /// neighbours.
   double curvatureNoise;
 };
-LatticeSurvey surveyLattice(const PointLattice& lattice, double smoothingWidth);
+LatticeSurvey surveyLattice(const PointLattice& lattice, double smoothingWidth,
+                            const Cancellation& cancellation = {});
 
 /// Second pass: a line of the lattice is a line of vertices, countU = nodesU + 1, countV = nodesV +
 /// 1. kappa of a strut is the mean of 100 samples of its segment, smoothed where that is asked for,
 /// then capped to curvatureLimit. Not each sample, as on the isolines of a patch: the few samples
 /// on a mesh's crease carry the bend of the facets beside it.
 SurfaceMeasurement measureLattice(const PointLattice& lattice, double curvatureLimit,
-                                  double smoothingWidth);
+                                  double smoothingWidth, const Cancellation& cancellation = {});
 
 }  // namespace morphgrid

@@ -26,9 +26,10 @@ double curvatureOn(const Surface& surface, Direction along, double t, double s) 
 }
 
 DirectionSurvey surveyDirection(const Surface& surface, Direction along,
-                                std::vector<double>& curvatures) {
+                                const Cancellation& cancellation, std::vector<double>& curvatures) {
   DirectionSurvey survey;
   for (int line = 0; line < kSurveyIsolines; ++line) {
+    cancellation.check();
     const double s = double(line) / (kSurveyIsolines - 1);
     double length = 0;
     Eigen::Vector3d previous = pointOn(surface, along, 0, s);
@@ -70,11 +71,11 @@ SurfaceSurvey makeSurvey(const DirectionSurvey& u, const DirectionSurvey& v,
           std::move(curvatures)};
 }
 
-SurfaceSurvey surveySurface(const Surface& surface) {
+SurfaceSurvey surveySurface(const Surface& surface, const Cancellation& cancellation) {
   std::vector<double> curvatures;
   curvatures.reserve(2 * kSurveyIsolines * kSurveySamples);
-  const DirectionSurvey u = surveyDirection(surface, Direction::u, curvatures);
-  const DirectionSurvey v = surveyDirection(surface, Direction::v, curvatures);
+  const DirectionSurvey u = surveyDirection(surface, Direction::u, cancellation, curvatures);
+  const DirectionSurvey v = surveyDirection(surface, Direction::v, cancellation, curvatures);
   return makeSurvey(u, v, std::move(curvatures));
 }
 
@@ -100,7 +101,7 @@ Eigen::Matrix3Xd normalsAt(const Surface& surface, const Eigen::Matrix2Xd& param
 }
 
 SurfaceMeasurement measureSurface(const Surface& surface, int nodesU, int nodesV,
-                                  double curvatureLimit) {
+                                  double curvatureLimit, const Cancellation& cancellation) {
   SurfaceMeasurement measurement{nodesU, nodesV, LateralField<double>(nodesU, nodesV),
                                  LateralField<double>(nodesU, nodesV),
                                  Eigen::Matrix3Xd(3, (nodesU + 1) * (nodesV + 1))};
@@ -114,6 +115,7 @@ SurfaceMeasurement measureSurface(const Surface& surface, int nodesU, int nodesV
     }
   }
   for (int j = 0; j <= nodesV; ++j) {
+    cancellation.check();
     for (int i = 0; i < nodesU; ++i) {
       measurement.chords.u(i, j) = (points.col(index(i + 1, j)) - points.col(index(i, j))).norm();
       measurement.curvatures.u(i, j) = meanCurvature(
@@ -121,6 +123,7 @@ SurfaceMeasurement measureSurface(const Surface& surface, int nodesU, int nodesV
     }
   }
   for (int j = 0; j < nodesV; ++j) {
+    cancellation.check();
     for (int i = 0; i <= nodesU; ++i) {
       measurement.chords.v(i, j) = (points.col(index(i, j + 1)) - points.col(index(i, j))).norm();
       measurement.curvatures.v(i, j) = meanCurvature(

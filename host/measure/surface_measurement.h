@@ -2,6 +2,7 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "core/cancellation.h"
 #include "core/lateral_field.h"
 #include "surface/surface.h"
 
@@ -31,7 +32,7 @@ SurfaceSurvey makeSurvey(const DirectionSurvey& u, const DirectionSurvey& v,
 
 /// Walks 100 isolines in u and in v with 1000 samples each (paper, section 3.2).
 /// Throws InputError when the surface has no extent along u or v.
-SurfaceSurvey surveySurface(const Surface& surface);
+SurfaceSurvey surveySurface(const Surface& surface, const Cancellation& cancellation = {});
 
 /// kappa_max: |kappa| sorted, at index floor((n-1) cutoff); cutoff in (0, 1].
 double curvatureAtCutoff(const SurfaceSurvey& survey, double cutoff);
@@ -51,6 +52,6 @@ struct SurfaceMeasurement {
 
 /// Along the isolines. Every |kappa| sample is capped to curvatureLimit before the mean is taken.
 SurfaceMeasurement measureSurface(const Surface& surface, int nodesU, int nodesV,
-                                  double curvatureLimit);
+                                  double curvatureLimit, const Cancellation& cancellation = {});
 
 }  // namespace morphgrid

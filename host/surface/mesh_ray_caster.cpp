@@ -17,6 +17,7 @@ using Eigen::Vector2d;
 using Eigen::Vector3d;
 
 constexpr int kPacket = 8;
+constexpr std::size_t kRaysPerCheck = 1024 * kPacket;  // Of whether to go on.
 
 /// How far beside the mesh a ray still counts as on its boundary, in halves of the mesh's extent.
 constexpr double kReach = 2e-6;
@@ -132,7 +133,8 @@ MeshRayCaster::~MeshRayCaster() = default;
 MeshRayCaster::MeshRayCaster(MeshRayCaster&&) noexcept = default;
 MeshRayCaster& MeshRayCaster::operator=(MeshRayCaster&&) noexcept = default;
 
-RayHits MeshRayCaster::cast(const SamplingBox& box, int countU, int countV) const {
+RayHits MeshRayCaster::cast(const SamplingBox& box, int countU, int countV,
+                            const Cancellation& cancellation) const {
   assert(countU >= 2 && countV >= 2 && box.uLength > 0 && box.vLength > 0);
   RayHits hits{box, countU, countV, {}, {}};
   Eigen::Matrix2Xd places(2, Index(countU) * countV);
@@ -141,7 +143,7 @@ RayHits MeshRayCaster::cast(const SamplingBox& box, int countU, int countV) cons
       places.col(hits.index(i, j)) << hits.u(i), hits.v(j);
     }
   }
-  hits.points = castThrough(places);
+  hits.points = castThrough(places, cancellation);
   for (double& x : hits.points.row(0)) {
     hits.hit.push_back(!std::isnan(x));
     x = std::isnan(x) ? 0 : x;
@@ -149,13 +151,17 @@ RayHits MeshRayCaster::cast(const SamplingBox& box, int countU, int countV) cons
   return hits;
 }
 
-Eigen::Matrix3Xd MeshRayCaster::castThrough(const Eigen::Matrix2Xd& places) const {
+Eigen::Matrix3Xd MeshRayCaster::castThrough(const Eigen::Matrix2Xd& places,
+                                            const Cancellation& cancellation) const {
   Eigen::Matrix3Xd points(3, places.cols());
   points.row(0).setConstant(std::numeric_limits<double>::quiet_NaN());
   points.bottomRows<2>() = places;
   std::vector<Index> missed = scene_->withinReach(places);
   for (const auto& [y, z] : kOffsets) {
     for (std::size_t begin = 0; begin < missed.size(); begin += kPacket) {
+      if (begin % kRaysPerCheck == 0) {
+        cancellation.check();
+      }
       const auto rest = std::span<const Index>(missed).subspan(begin);
       scene_->castPacket(rest.first(std::min<std::size_t>(kPacket, rest.size())),
                          kReach * Vector2d(y, z), points);

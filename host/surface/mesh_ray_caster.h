@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "core/cancellation.h"
 #include "surface/point_lattice.h"
 #include "surface/triangle_mesh.h"
 
@@ -46,10 +47,12 @@ class MeshRayCaster {
   MeshRayCaster& operator=(MeshRayCaster&&) noexcept;
 
   /// The first hit of each ray. countU, countV >= 2.
-  RayHits cast(const SamplingBox& box, int countU, int countV) const;
+  RayHits cast(const SamplingBox& box, int countU, int countV,
+               const Cancellation& cancellation = {}) const;
 
   /// The first hit of rays through arbitrary places, 2 x n of (y, z). Where missed, x is NaN.
-  Eigen::Matrix3Xd castThrough(const Eigen::Matrix2Xd& places) const;
+  Eigen::Matrix3Xd castThrough(const Eigen::Matrix2Xd& places,
+                               const Cancellation& cancellation = {}) const;
 
  private:
   struct Scene;

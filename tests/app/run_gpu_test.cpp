@@ -56,6 +56,24 @@ TEST_F(Run, LeavesReportPicturesAndFiles) {
             json["distance_to_target"]["rms_percent"].get<double>());
 }
 
+TEST_F(Run, KeepsItsReportWhenAnotherFileCannotBeWritten) {
+  folder_.write("result/warped.glb/in_the_way", "");
+  const ProcessResult run =
+      runMorphgrid({"run", sceneFile("egg_chair"), "--out", out(), "--validate", "--set",
+                    "grid.nodes_long=8", "--set", "output.pictures=false"});
+  EXPECT_EQ(run.exitCode, 2) << run.output;
+  EXPECT_THAT(run.output, HasSubstr("warped.glb"));
+  EXPECT_EQ(report()["full"]["converged"], true);
+}
+
+TEST_F(Run, InterruptedWhileItDesignsEndsAndWritesNothing) {
+  const ProcessResult run = runMorphgrid(
+      {"run", sceneFile("cup"), "--out", out(), "--set", "grid.nodes_long=1500"}, {}, 0.5);
+  EXPECT_EQ(run.exitCode, 130) << run.output;
+  EXPECT_THAT(run.output, HasSubstr("interrupted before anything was solved"));
+  EXPECT_FALSE(std::filesystem::exists(out()));
+}
+
 TEST_F(Run, InverseDesignComesCloserAndLeavesItsSteps) {
   const ProcessResult run = runMorphgrid({"run", sceneFile("egg_chair_true"), "--out", out(),
                                           "--validate", "--set", "grid.nodes_long=8", "--set",

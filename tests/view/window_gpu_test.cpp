@@ -40,7 +40,10 @@ constexpr int kLooks = 60;       // Until the window must have changed.
 class ViewerWindow : public testing::Test {
  protected:
   std::unique_ptr<BackgroundProgram> start(const std::vector<std::string>& more = {}) {
-    const std::filesystem::path scene = desktop_.folder().write("dome.toml", kScene);
+    return start(more, desktop_.folder().write("dome.toml", kScene));
+  }
+  std::unique_ptr<BackgroundProgram> start(const std::vector<std::string>& more,
+                                           const std::filesystem::path& scene) {
     std::vector<std::string> command = {
         binaryFolder() / "morphgrid", "view", scene, "--validate", "--out",
         desktop_.folder() / "out"};
@@ -148,6 +151,37 @@ TEST_F(ViewerWindow, TurnsAKnobSavesTheSceneAndUndoes) {
 TEST_F(ViewerWindow, ClosesWhileItSolves) {
   const auto viewer = start({"--set", "grid.nodes_u=60", "--set", "grid.nodes_v=60"});
   focus("^Dome, .*: (in plane|full)");
+  expectQuit(*viewer);
+}
+
+TEST_F(ViewerWindow, ClosesWhileItDesigns) {
+  const auto viewer =
+      start({"--set", "grid.nodes_long=1500"}, sourceFolder() / "scenes" / "cup.toml");
+  focus("^Cup, target: designing");
+  expectQuit(*viewer);
+}
+
+TEST_F(ViewerWindow, IsMinimisedAndComesBack) {
+  const BackgroundProgram windowManager({"9wm"}, {"DISPLAY=" + desktop_.display()},
+                                        desktop_.folder() / "9wm.log");
+  const auto viewer = start();
+  focus("^Dome, warped: at rest");
+  desktop_.run("xdotool search --name '^Dome' windowminimize --sync");
+  EXPECT_EQ(desktop_.run("xdotool search --onlyvisible --name '^Dome'"), "");
+  desktop_.run("xdotool search --name '^Dome' windowmap --sync windowfocus --sync");
+  desktop_.press("3");
+  EXPECT_NE(desktop_.awaitWindow("^Dome, initial:"), "");
+  expectQuit(*viewer);
+}
+
+TEST_F(ViewerWindow, ReadsTheSceneAgain) {
+  const auto viewer = start();
+  focus("^Dome, warped: at rest");
+  std::string changed = kScene;
+  changed.replace(changed.find("Dome"), 4, "Vault");
+  desktop_.folder().write("dome.toml", changed);
+  desktop_.press("ctrl+r");
+  EXPECT_NE(desktop_.awaitWindow("^Vault, warped: at rest"), "");
   expectQuit(*viewer);
 }
 

@@ -1,47 +1,14 @@
-#include "report/report_files.h"
+#include "report/report_json.h"
 
-#include <gmock/gmock.h>
+#include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 #include <nlohmann/json.hpp>
+
+#include "tests/report/sample_record.h"
 
 namespace morphgrid {
 namespace {
-
-using testing::HasSubstr;
-
-RunRecord sampleRecord() {
-  RunRecord record;
-  record.scene = "sample";
-  record.title = "Sample";
-  record.method = "jacobi";
-  record.scaling = "normalised";
-  record.device = "some device";
-  record.secondsTotal = 1.5;
-  record.grid = {{18, 21, 3}, 0.3, 30.9};
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
-  record.measurement = {12.02, 14.84, 0.52, kInfinity, 4};
-  record.measurement->cutoffs = {{0.5, 0, kInfinity, 1}, {0.95, 0.4785, 0.418, 1e12}};
-  record.measurement->suggestedCutoff = 0.93;
-  record.measurement->curvatureNoise = 0.0625;
-  Equilibrium stage;
-  stage.iterations = 32;
-  stage.converged = true;
-  stage.reason = StopReason::residual;
-  stage.residual = 1e-10;
-  stage.energy = 0.1 + 0.2;
-  stage.history = {{16, 2.5, 1e-3, 0.25}, {32, stage.energy, 1e-10, 0.5}};
-  record.inPlane = stage;
-  stage.smallestEigenvalue = {.value = 2e-5, .residual = 1e-6, .iterations = 9, .converged = true};
-  record.full = stage;
-  record.errors = {1, 2, 3};
-  record.distance = {4, 5, 6, 7};
-  record.distance->spread = {3.5, 4.5, 4.75, 0.5, {2, 1, 0, 0, 0, 0, 0, 0, 0, 1}};
-  record.shrink = ShrinkFigures{{31, 0, 2, 0, 0}, {{31, 0, 2, 0, 0}, {}}};
-  record.feasibility = Feasibility{};
-  return record;
-}
 
 TEST(ReportJson, HoldsAllKeysAndRoundTrips) {
   const auto json = nlohmann::json::parse(toJson(sampleRecord()));
@@ -155,7 +122,6 @@ TEST(ReportJson, TellsHowTheNetRuns) {
   EXPECT_EQ(net["strut_ratio"], 3.5);
   EXPECT_NEAR(net["mean_angle_deviation_degrees"].get<double>(), 1, 1e-14);
   EXPECT_NEAR(net["largest_angle_deviation_degrees"].get<double>(), 30, 1e-13);
-  EXPECT_THAT(toTable(record), HasSubstr("  off 90 deg, mean / max"));
   record.net->modulus.reset();
   EXPECT_TRUE(nlohmann::json::parse(toJson(record))["net"]["modulus"].is_null());
 }
@@ -167,75 +133,6 @@ TEST(ReportJson, WithoutAdviceItIsNull) {
   const auto json = nlohmann::json::parse(toJson(record));
   EXPECT_TRUE(json["measurement"]["suggested_cutoff"].is_null());
   EXPECT_TRUE(json["measurement"]["curvature_noise"].is_null());
-}
-
-TEST(ConvergenceCsv, HasALinePerSample) {
-  EXPECT_EQ(toConvergenceCsv(sampleRecord()),
-            "stage,iteration,energy,residual,seconds,grid_share\n"
-            "in_plane,16,2.5,0.001,0.25,1\n"
-            "in_plane,32,0.30000000000000004,1e-10,0.5,1\n"
-            "full,16,2.5,0.001,0.25,1\n"
-            "full,32,0.30000000000000004,1e-10,0.5,1\n");
-}
-
-TEST(ReportTable, ShowsThePaperBesideOursWhereItHasFigures) {
-  RunRecord record = sampleRecord();
-  EXPECT_THAT(toTable(record), testing::Not(HasSubstr("paper")));
-  PublishedFigures paper;
-  paper.figure = "Fig. 4";
-  paper.anglePercent = 7.55;
-  record.published = paper;
-  EXPECT_THAT(toTable(record), HasSubstr("paper Fig. 4"));
-  EXPECT_THAT(toTable(record), HasSubstr("7.55 %"));
-}
-
-TEST(ReportTable, SpeaksOfFeasibilityWhereSomethingIsWrong) {
-  RunRecord record = sampleRecord();
-  record.shrink->strutsAtLimit = 0;
-  for (const char* row :
-       {"at the limit", "must grow", "inverted", "collapsed", "self-intersecting", "too close"}) {
-    EXPECT_THAT(toTable(record), testing::Not(HasSubstr(row)));
-  }
-  record.shrink->strutsGrowing = 5;
-  record.feasibility->cells.inverted = 3;
-  record.feasibility->selfIntersection.cells = 2;
-  EXPECT_THAT(toTable(record), HasSubstr("  struts that must grow                  5\n"
-                                         "  inverted cells                         3\n"
-                                         "  self-intersecting cells                2\n"));
-}
-
-TEST(ReportTable, OfACheckListsTheCutoffs) {
-  RunRecord record = sampleRecord();
-  EXPECT_THAT(toTable(record), testing::Not(HasSubstr("suggested p")));
-  record.inPlane.reset();
-  record.full.reset();
-  EXPECT_THAT(
-      toTable(record),
-      HasSubstr("  curvature cutoff               curvature spacing at most    fewest nodes\n"
-                "    50 % (p = 0.5)                       0             inf               1\n"
-                "    95 % (p = 0.95)                 0.4785           0.418           1e+12\n"
-                "  suggested p                         0.93\n"));
-  record.measurement->suggestedCutoff.reset();
-  EXPECT_THAT(toTable(record), HasSubstr("  suggested p                         none\n"));
-}
-
-TEST(ReportTable, NamesTheNoiseOfAMesh) {
-  RunRecord record = sampleRecord();
-  EXPECT_THAT(toTable(record), HasSubstr("  curvature noise                   0.0625\n"));
-  record.measurement->curvatureNoise.reset();
-  EXPECT_THAT(toTable(record), testing::Not(HasSubstr("curvature noise")));
-}
-
-TEST(ReportTable, SaysWhatTheSmallestEigenvalueMeans) {
-  EXPECT_THAT(toTable(sampleRecord()),
-              HasSubstr("minimum: smallest eigenvalue 2e-05, residual 1e-06, 9 iterations"));
-}
-
-TEST(ReportTable, SaysWhyARunDidNotConverge) {
-  RunRecord record = sampleRecord();
-  record.full->converged = false;
-  record.full->reason = StopReason::iterationLimit;
-  EXPECT_THAT(toTable(record), HasSubstr("NOT converged: iteration limit"));
 }
 
 }  // namespace

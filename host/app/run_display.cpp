@@ -1,0 +1,227 @@
+#include "app/run_display.h"
+
+#include <fmt/format.h>
+
+#include "app/scene_knobs.h"
+#include "core/rigid_alignment.h"
+#include "report/report_table.h"
+#include "view/view_state.h"
+
+namespace morphgrid {
+namespace {
+
+using Eigen::Matrix3Xd;
+
+std::optional<ShownGrid>& slotOf(ShownStage stage, Snapshot& snapshot) {
+  return snapshot.stages[static_cast<std::size_t>(stage)];
+}
+
+/// Of a layer's points, those that are nearest to the vertices of another layer on the same sheet.
+Matrix3Xd resampled(const Matrix3Xd& points, const GridShape& from, const GridShape& to) {
+  Matrix3Xd result(3, to.layerVertexCount());
+  const auto nearest = [](int n, int count, int fromCount) {
+    return static_cast<int>(std::lround(double(n) * (fromCount - 1) / (count - 1)));
+  };
+  for (int j = 0; j < to.verticesV; ++j) {
+    for (int i = 0; i < to.verticesU; ++i) {
+      result.col(to.index(i, j, 0)) = points.col(from.index(
+          nearest(i, to.verticesU, from.verticesU), nearest(j, to.verticesV, from.verticesV), 0));
+    }
+  }
+  return result;
+}
+
+double rmsPercent(const Matrix3Xd& placed, const Matrix3Xd& targets) {
+  const double diagonal = (targets.rowwise().maxCoeff() - targets.rowwise().minCoeff()).norm();
+  return 100 * (placed - targets).norm() / std::sqrt(double(targets.cols())) / diagonal;
+}
+
+Matrix3Xd newestPositions(const DeviceGrid& grid) {
+  return grid.downloadPositions(grid.newestIsFirst() ? grid.positions() : grid.previousPositions());
+}
+
+void extend(Eigen::AlignedBox3d& box, const Matrix3Xd& points) {
+  box.extend(points.rowwise().minCoeff());
+  box.extend(points.rowwise().maxCoeff());
+}
+
+std::shared_ptr<const ShownSampling> samplingOf(const Scene& scene, const SceneDesign& designed) {
+  if (!designed.sampling) {
+    return nullptr;
+  }
+  return std::make_shared<ShownSampling>(ShownSampling{scene.mesh->mesh, designed.sampling->hits});
+}
+
+}  // namespace
+
+void RunDisplay::showBegin() {
+  stages_ = 0;
+  board_.post([](Snapshot& next) {
+    next.activity = Activity::designing;
+    next.status = "designing";
+    next.problem.reset();
+    next.isOutdated = false;
+  });
+}
+
+void RunDisplay::showScene(const Scene& scene) {
+  isOnDevice_ = scene.method != Method::reference;
+  board_.post([&](Snapshot& next) {
+    next.title = scene.title;
+    next.knobs = keepRanges(knobsOf(scene), next.knobs);
+    next.view = scene.mesh ? kMeshView : kPatchView;
+    next.maxShrinkage = scene.design.maxShrinkage;
+  });
+}
+
+std::optional<ShownGrid> RunDisplay::makeTarget(const GridShape& shape,
+                                                const SceneDesign& designed) {
+  reference_.reset();
+  if (!designed.targets) {
+    return std::nullopt;
+  }
+  ShownGrid target;
+  target.grid =
+      std::make_shared<StrutGrid>(layerAtRest(shape, designed.design.spacing, *designed.targets));
+  target.onDevice = std::make_shared<DeviceGrid>(device_, *target.grid);
+  target.positions = std::make_shared<Matrix3Xd>(*designed.targets);
+  reference_ = target.positions;
+  referenceShape_ = {shape.verticesU, shape.verticesV, 1};
+  return target;
+}
+
+void RunDisplay::showDesign(const Scene& scene, const SceneDesign& designed) {
+  const RunRecord record = recordOf(scene, designed);
+  const auto target = makeTarget(record.grid.shape, designed);
+  const auto sampling = samplingOf(scene, designed);
+  board_.post([&](Snapshot& next) {
+    next.stages = {};
+    next.sampling = sampling;
+    slotOf(ShownStage::target, next) = target;
+    next.newest = ShownStage::target;
+    next.targets = reference_;
+    next.figures = toTable(record);
+    next.notices = record.notices;
+    next.extent.setEmpty();
+    if (designed.targets) {
+      extend(next.extent, *designed.targets);
+    }
+    next.strutCount = record.grid.shape.strutCount();
+    ++next.runs;
+  });
+}
+
+void RunDisplay::showStage(const Stage& stage) {
+  const bool inPlane = stages_++ == 0;
+  const GridShape& shape = stage.grid.shape;
+  const Matrix3Xd middle = middleLayer(shape, stage.grid.positions);
+  live_.onDevice = stage.onDevice;
+  live_.grid = std::make_shared<StrutGrid>(stage.grid);
+  live_.positions = std::make_shared<Matrix3Xd>(stage.grid.positions);
+  if (!reference_) {  // Without target, it stays where it begins.
+    reference_ = std::make_shared<Matrix3Xd>(middle);
+    referenceShape_ = shape;
+  }
+  live_.worldFromGrid = alignRigidly(middle, *reference_);
+  ShownGrid before = live_;
+  before.onDevice = std::make_shared<DeviceGrid>(device_, stage.grid);
+  board_.post([&](Snapshot& next) {
+    next.activity = Activity::solving;
+    next.status = inPlane ? "in plane" : "full";
+    slotOf(inPlane ? ShownStage::initial : ShownStage::stacked, next) = before;
+    next.newest = inPlane ? ShownStage::inPlane : ShownStage::warped;
+    slotOf(next.newest, next) = live_;
+    next.history.clear();
+    if (inPlane) {
+      extend(next.extent, live_.worldFromGrid * stage.grid.positions);
+    }
+  });
+}
+
+void RunDisplay::showGrid(const std::shared_ptr<const DeviceGrid>& coarse) {
+  board_.post([&](Snapshot& next) {
+    ShownGrid& shown = *slotOf(next.newest, next);
+    shown.onDevice = coarse ? coarse : live_.onDevice;
+    shown.grid = coarse ? nullptr : live_.grid;
+    shown.positions = coarse ? nullptr : live_.positions;
+  });
+}
+
+ShownGrid RunDisplay::withNewestPositions(ShownGrid shown) const {
+  const GridShape& shape = shown.onDevice->shape();
+  auto positions = std::make_shared<Matrix3Xd>(newestPositions(*shown.onDevice));
+  shown.worldFromGrid =
+      alignRigidly(middleLayer(shape, *positions), resampled(*reference_, referenceShape_, shape));
+  shown.positions = std::move(positions);
+  return shown;
+}
+
+std::string RunDisplay::describeDistance(const ShownGrid& shown, const Snapshot& snapshot) const {
+  if (!snapshot.targets || snapshot.newest != ShownStage::warped) {
+    return "";
+  }
+  const GridShape& shape = shown.onDevice->shape();
+  const double rms = rmsPercent(shown.worldFromGrid * middleLayer(shape, *shown.positions),
+                                resampled(*reference_, referenceShape_, shape));
+  return fmt::format(", distance {:.3g} % RMS", rms);
+}
+
+void RunDisplay::showSample(const ConvergenceSample& sample) {
+  const auto before = board_.newest();
+  ShownGrid shown = *gridOf(before->newest, *before);
+  std::string status = fmt::format("{}: iteration {}, residual {:.2g}",
+                                   before->newest == ShownStage::inPlane ? "in plane" : "full",
+                                   sample.iteration, sample.residual);
+  if (isOnDevice_) {
+    shown = withNewestPositions(std::move(shown));
+    status += describeDistance(shown, *before);
+    if (!shown.grid) {
+      shown.positions = nullptr;
+    }
+  }
+  board_.post([&](Snapshot& next) {
+    next.activity = Activity::solving;
+    next.status = status;
+    slotOf(next.newest, next) = shown;
+    next.history.push_back(sample);
+  });
+}
+
+void RunDisplay::showPaused() {
+  if (board_.newest()->activity != Activity::paused) {
+    board_.post([](Snapshot& next) { next.activity = Activity::paused; });
+  }
+}
+
+void RunDisplay::showEnd(const Simulation& simulation) {
+  const Stage& stage = simulation.stage;
+  const RunRecord& record = simulation.record;
+  const Equilibrium& last = stage.equilibrium;
+  live_.grid = std::make_shared<StrutGrid>(stage.grid);  // Inverse design has changed it.
+  live_.positions = std::make_shared<Matrix3Xd>(last.positions);
+  live_.worldFromGrid = simulation.targetFromGrid;
+  stage.onDevice->uploadPositions(last.positions);
+  board_.post([&](Snapshot& next) {
+    next.activity = Activity::atRest;
+    next.status = fmt::format(
+        "at rest after {} iterations ({}), {:.2f} s", last.iterations,
+        last.converged ? "converged" : "NOT converged: " + toString(last.reason), last.seconds);
+    slotOf(next.newest, next) = live_;
+    if (record.full) {
+      slotOf(ShownStage::surface, next) = live_;
+    }
+    next.figures = toTable(record);
+    next.notices = record.notices;
+    next.history = last.history;
+  });
+}
+
+void RunDisplay::showFailure(const std::string& problem) {
+  board_.post([&](Snapshot& next) {
+    next.activity = Activity::failed;
+    next.status = "failed";
+    next.problem = problem;
+  });
+}
+
+}  // namespace morphgrid

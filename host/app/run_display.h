@@ -1,0 +1,42 @@
+#pragma once
+#include "app/simulate_scene.h"
+#include "app/snapshot_board.h"
+
+namespace morphgrid {
+
+/// Posts what a run does, for a viewer: its design, its stages, their solver's steps, its end.
+class RunDisplay {
+ public:
+  /// Keeps references.
+  RunDisplay(const Device& device, SnapshotBoard& board) : device_(device), board_(board) {}
+
+  void showBegin();
+  /// The scene that is about to be designed, and its knobs: they can be turned while it is.
+  void showScene(const Scene& scene);
+  /// The target, and what the design says.
+  void showDesign(const Scene& scene, const SceneDesign& designed);
+  /// The first of a run is the one in the plane.
+  void showStage(const Stage& stage);
+  /// A coarser grid that is solved first; null: the stage's own.
+  void showGrid(const std::shared_ptr<const DeviceGrid>& coarse);
+  void showSample(const ConvergenceSample& sample);
+  void showPaused();
+  void showEnd(const Simulation& simulation);
+  void showFailure(const std::string& problem);
+
+ private:
+  std::optional<ShownGrid> makeTarget(const GridShape& shape, const SceneDesign& designed);
+  ShownGrid withNewestPositions(ShownGrid shown) const;
+  std::string describeDistance(const ShownGrid& shown, const Snapshot& snapshot) const;
+
+  const Device& device_;
+  SnapshotBoard& board_;
+  int stages_ = 0;  ///< Of this run.
+  ShownGrid live_;  ///< What is solved.
+  /// Of its middle layer: where it should lie.
+  std::shared_ptr<const Eigen::Matrix3Xd> reference_;
+  GridShape referenceShape_{};
+  bool isOnDevice_ = true;  ///< Whether the device's positions are those of the solve.
+};
+
+}  // namespace morphgrid

@@ -1,0 +1,40 @@
+#pragma once
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "view/undo_stack.h"
+
+namespace morphgrid {
+
+/// What a user changes of a scene file: overrides, as of loadScene(), with undo.
+class SceneEdits {
+ public:
+  using Overrides = std::vector<std::string>;
+
+  SceneEdits(std::filesystem::path scene, Overrides overrides)
+      : scene_(std::move(scene)), overrides_(std::move(overrides)) {}
+
+  const std::filesystem::path& scene() const { return scene_; }
+  const Overrides& overrides() const { return overrides_.present(); }
+
+  /// value: as in the scene file.
+  void set(const std::string& key, const std::string& value);
+  bool canUndo() const { return overrides_.canUndo(); }
+  bool canRedo() const { return overrides_.canRedo(); }
+  /// Nothing where there is nothing to undo.
+  void undo();
+  void redo();
+
+  /// Writes a scene file with the overrides in it beside the scene's, because paths start there:
+  /// NAME_edited.toml, or with a number where that is taken; the next time it is written again.
+  /// Returns its path. Throws InputError when the scene cannot be read or the file not be written.
+  std::filesystem::path save();
+
+ private:
+  std::filesystem::path scene_;
+  UndoStack<Overrides> overrides_;
+  std::filesystem::path saved_;  ///< Empty: not yet.
+};
+
+}  // namespace morphgrid

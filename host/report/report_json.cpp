@@ -1,0 +1,212 @@
+#include "report/report_json.h"
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "report/degrees.h"
+
+namespace morphgrid {
+namespace {
+
+using nlohmann::ordered_json;
+
+/// JSON has no infinity: what is not finite becomes null.
+ordered_json number(double value) {
+  return std::isfinite(value) ? ordered_json(value) : ordered_json(nullptr);
+}
+
+ordered_json number(const std::optional<double>& value) {
+  return value ? number(*value) : ordered_json(nullptr);
+}
+
+ordered_json eigenvalueToJson(const Equilibrium& stage) {
+  if (!stage.smallestEigenvalue) {
+    return nullptr;
+  }
+  const SmallestEigenvalue& e = *stage.smallestEigenvalue;
+  return {{"value", number(e.value)},   {"residual", number(e.residual)},
+          {"iterations", e.iterations}, {"converged", e.converged},
+          {"seconds", e.seconds},       {"verdict", toString(verdictOf(stage))}};
+}
+
+ordered_json toJson(const Equilibrium& stage) {
+  return {{"iterations", stage.iterations},
+          {"converged", stage.converged},
+          {"reason", toString(stage.reason)},
+          {"residual", number(stage.residual)},
+          {"energy", number(stage.energy)},
+          {"seconds", stage.seconds},
+          {"smallest_eigenvalue", eigenvalueToJson(stage)}};
+}
+
+ordered_json toJson(const InverseStep& step) {
+  return {{"kind", toString(step.kind)},
+          {"number", step.number},
+          {"rms_percent", step.rmsPercent},
+          {"max_percent", step.maxPercent},
+          {"largest_shrink_percent", step.largestShrinkPercent},
+          {"struts_at_bound", step.strutsAtBound},
+          {"cycles", step.cycles},
+          {"adjoint_products", step.adjointProducts},
+          {"seconds", step.seconds}};
+}
+
+ordered_json toJson(const FromFlat& fromFlat) {
+  return {{"same_equilibrium", fromFlat.sameEquilibrium}, {"rms_percent", fromFlat.rmsPercent}};
+}
+
+ordered_json toJson(const InverseDesign& inverse) {
+  ordered_json steps = ordered_json::array();
+  for (const InverseStep& step : inverse.steps) {
+    steps.push_back(toJson(step));
+  }
+  return {{"ending", inverse.ending},
+          {"from_flat", inverse.fromFlat ? toJson(*inverse.fromFlat) : ordered_json(nullptr)},
+          {"steps", std::move(steps)}};
+}
+
+ordered_json toJson(const std::vector<CutoffConsequence>& cutoffs) {
+  ordered_json array = ordered_json::array();
+  for (const CutoffConsequence& c : cutoffs) {
+    array.push_back({{"p", c.cutoff},
+                     {"curvature", c.curvatureLimit},
+                     {"layer_spacing_limit", number(c.layerSpacingLimit)},
+                     {"fewest_nodes", c.fewestNodes}});
+  }
+  return array;
+}
+
+ordered_json toJson(const MeasurementFigures& m) {
+  return {{"longest_isoline_u", m.longestIsolineU},
+          {"longest_isoline_v", m.longestIsolineV},
+          {"largest_curvature", m.largestCurvature},
+          {"layer_spacing_limit", number(m.layerSpacingLimit)},
+          {"fewest_nodes", m.fewestNodes},
+          {"cutoffs", toJson(m.cutoffs)},
+          {"suggested_cutoff", number(m.suggestedCutoff)},
+          {"curvature_noise", number(m.curvatureNoise)}};
+}
+
+ordered_json toJson(const MeshFigures& m) {
+  return {{"file", m.file},
+          {"triangles", m.triangles},
+          {"rays", m.rays},
+          {"missed", m.missed},
+          {"largest_jump", m.largestJump},
+          {"seconds_build", m.secondsBuild},
+          {"seconds_rays", m.secondsRays}};
+}
+
+ordered_json toJson(const NetFigures& n) {
+  return {{"kind", nameOf(n.kind)},
+          {"modulus", number(n.modulus)},
+          {"blend", n.blend},
+          {"strut_ratio", number(n.quality.strutRatio)},
+          {"mean_angle_deviation_degrees", degrees(n.quality.meanAngleDeviation)},
+          {"largest_angle_deviation_degrees", degrees(n.quality.largestAngleDeviation)}};
+}
+
+ordered_json toJson(const GridFigures& g) {
+  return {{"nodes_u", g.shape.verticesU - 1},
+          {"nodes_v", g.shape.verticesV - 1},
+          {"layers", g.shape.layers},
+          {"layer_spacing", g.layerSpacing},
+          {"vertices", g.shape.vertexCount()},
+          {"struts", g.shape.strutCount()},
+          {"bend_shrink_percent", g.bendShrinkPercent}};
+}
+
+ordered_json toJson(const StrutErrors& e) {
+  return {
+      {"l0_percent", e.l0Percent}, {"lb_percent", e.lbPercent}, {"angle_percent", e.anglePercent}};
+}
+
+ordered_json histogramOf(const DistanceSpread& s) {
+  return {{"bin_percent", s.binPercent}, {"counts", s.counts}};
+}
+
+ordered_json toJson(const TargetDistance& d) {
+  return {{"rms_percent", d.rmsPercent},
+          {"max_percent", d.maxPercent},
+          {"median_percent", d.spread.medianPercent},
+          {"percentile_90_percent", d.spread.percentile90},
+          {"percentile_99_percent", d.spread.percentile99},
+          {"histogram", histogramOf(d.spread)},
+          {"closest_point_rms_percent", d.closestPointRmsPercent},
+          {"closest_point_max_percent", d.closestPointMaxPercent},
+          {"closest_point_median_percent", d.closestPointSpread.medianPercent},
+          {"closest_point_percentile_90_percent", d.closestPointSpread.percentile90},
+          {"closest_point_percentile_99_percent", d.closestPointSpread.percentile99},
+          {"closest_point_histogram", histogramOf(d.closestPointSpread)}};
+}
+
+ordered_json toJson(const ShrinkCounts& s) {
+  return {{"largest_percent", s.largestPercent},
+          {"struts_over_limit", s.strutsOverLimit},
+          {"struts_at_limit", s.strutsAtLimit},
+          {"struts_growing", s.strutsGrowing},
+          {"largest_growth_percent", s.largestGrowthPercent}};
+}
+
+ordered_json toJson(const ShrinkFigures& s) {
+  ordered_json json = toJson(static_cast<const ShrinkCounts&>(s));
+  json["layers"] = ordered_json::array();
+  for (const ShrinkCounts& layer : s.layers) {
+    json["layers"].push_back(toJson(layer));
+  }
+  return json;
+}
+
+ordered_json toJson(const LatticePlace& place) { return {place.i, place.j, place.layer}; }
+
+ordered_json toJson(const CloseStruts& c) {
+  const bool any = c.count > 0;
+  return {{"thickness", c.thickness},
+          {"count", c.count},
+          {"smallest_clearance", any ? ordered_json(c.smallestClearance) : nullptr},
+          {"closest", any ? toJson(c.closest) : nullptr}};
+}
+
+ordered_json toJson(const Feasibility& f) {
+  const bool cut = f.selfIntersection.cells > 0;
+  return {{"inverted_cells", f.cells.inverted},
+          {"collapsed_cells", f.cells.collapsed},
+          {"smallest_relative_area", f.cells.smallestRelativeArea},
+          {"smallest_cell", toJson(f.cells.smallest)},
+          {"self_intersecting_cells", f.selfIntersection.cells},
+          {"first_self_intersection", cut ? toJson(f.selfIntersection.first) : nullptr},
+          {"close_struts", f.closeStruts ? toJson(*f.closeStruts) : nullptr}};
+}
+
+template <typename Figures>
+ordered_json orNull(const std::optional<Figures>& figures) {
+  return figures ? toJson(*figures) : ordered_json(nullptr);
+}
+}  // namespace
+
+std::string toJson(const RunRecord& record) {
+  const ordered_json json{
+      {"scene", record.scene},
+      {"title", record.title},
+      {"method", record.method},
+      {"scaling", record.scaling},
+      {"device", record.device},
+      {"seconds_total", record.secondsTotal},
+      {"grid", toJson(record.grid)},
+      {"net", orNull(record.net)},
+      {"mesh", orNull(record.mesh)},
+      {"measurement", orNull(record.measurement)},
+      {"in_plane", orNull(record.inPlane)},
+      {"print_scale", record.printScale},
+      {"full", orNull(record.full)},
+      {"inverse_design", orNull(record.inverse)},
+      {"errors", orNull(record.errors)},
+      {"distance_to_target", orNull(record.distance)},
+      {"shrink", orNull(record.shrink)},
+      {"feasibility", orNull(record.feasibility)},
+      {"device_failure",
+       record.deviceFailure ? ordered_json(*record.deviceFailure) : ordered_json(nullptr)},
+      {"notices", record.notices}};
+  return json.dump(2) + "\n";
+}
+}  // namespace morphgrid

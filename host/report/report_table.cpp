@@ -1,0 +1,227 @@
+#include "report/report_table.h"
+
+#include <fmt/format.h>
+
+#include "report/degrees.h"
+
+namespace morphgrid {
+namespace {
+
+/// Rows of "what, ours, the paper's".
+class Table {
+ public:
+  explicit Table(const RunRecord& record) : published_(record.published) {
+    text_ = fmt::format("{:<26}{:>16}", record.title, "morphgrid");
+    if (published_) {
+      text_ += fmt::format("{:>16}", "paper " + published_->figure);
+    }
+    text_ += '\n';
+  }
+
+  void row(const char* what, const std::string& ours, const std::string& papers = "") {
+    text_ += fmt::format("  {:<24}{:>16}", what, ours);
+    if (published_ && !papers.empty()) {
+      text_ += fmt::format("{:>16}", papers);
+    }
+    text_ += '\n';
+  }
+  void line(const std::string& text) { text_ += text + '\n'; }
+  const std::string& text() const { return text_; }
+
+ private:
+  const std::optional<PublishedFigures>& published_;
+  std::string text_;
+};
+
+/// "" where the paper says nothing.
+template <typename... Values>
+std::string ifAll(const char* format, const std::optional<Values>&... values) {
+  return (values && ...) ? fmt::format(fmt::runtime(format), *values...) : "";
+}
+
+void addMeasurement(Table& table, const RunRecord& record, const PublishedFigures& paper) {
+  if (!record.measurement) {
+    return;
+  }
+  const MeasurementFigures& m = *record.measurement;
+  table.row("longest isolines, u x v",
+            fmt::format("{:.4g} x {:.4g}", m.longestIsolineU, m.longestIsolineV),
+            ifAll("{:.4g} x {:.4g}", paper.longestIsolineU, paper.longestIsolineV));
+  table.row("largest curvature", fmt::format("{:.4g}", m.largestCurvature),
+            ifAll("{:.4g}", paper.largestCurvature));
+  table.row("layer spacing at most", fmt::format("{:.4g}", m.layerSpacingLimit));
+  table.row("fewest nodes", fmt::format("{}", m.fewestNodes));
+  if (m.curvatureNoise) {
+    table.row("curvature noise", fmt::format("{:.4g}", *m.curvatureNoise));
+  }
+}
+
+void addNet(Table& table, const RunRecord& record) {
+  if (!record.net) {
+    return;
+  }
+  const NetFigures& n = *record.net;
+  table.row("net", nameOf(n.kind));
+  if (n.modulus) {
+    table.row("  modulus, blend", fmt::format("{:.4g}, {:.3g}", *n.modulus, n.blend));
+  }
+  table.row("  longest / shortest", fmt::format("{:.3g}", n.quality.strutRatio));
+  table.row("  off 90 deg, mean / max",
+            fmt::format("{:.1f} / {:.1f} deg", degrees(n.quality.meanAngleDeviation),
+                        degrees(n.quality.largestAngleDeviation)));
+}
+
+/// What other cutoffs would mean: advice for a design, so only where nothing is solved yet.
+void addCutoffs(Table& table, const RunRecord& record) {
+  if (!record.measurement || record.inPlane) {
+    return;
+  }
+  const MeasurementFigures& m = *record.measurement;
+  constexpr const char* kRow = "  {:<24}{:>16}{:>16}{:>16}";
+  table.line(fmt::format(kRow, "curvature cutoff", "curvature", "spacing at most", "fewest nodes"));
+  for (const CutoffConsequence& c : m.cutoffs) {
+    table.line(fmt::format(kRow, fmt::format("  {:g} % (p = {:g})", 100 * c.cutoff, c.cutoff),
+                           fmt::format("{:.4g}", c.curvatureLimit),
+                           fmt::format("{:.4g}", c.layerSpacingLimit),
+                           fmt::format("{:.6g}", c.fewestNodes)));
+  }
+  table.row("suggested p", m.suggestedCutoff ? fmt::format("{:g}", *m.suggestedCutoff) : "none");
+}
+
+void addMesh(Table& table, const RunRecord& record) {
+  if (!record.mesh) {
+    return;
+  }
+  const MeshFigures& m = *record.mesh;
+  table.row("triangles", fmt::format("{}", m.triangles));
+  table.row("rays, missed", fmt::format("{}, {}", m.rays, m.missed));
+  table.row("steepest step", fmt::format("{:.3g}", m.largestJump));
+  if (record.inPlane) {
+    return;
+  }
+  // A check is where people choose their box.
+  const Eigen::Vector3d& low = m.extent.min();
+  const Eigen::Vector3d& high = m.extent.max();
+  table.line(
+      fmt::format("  mesh spans x {:.6g} to {:.6g}, y (u) {:.6g} to {:.6g}, z (v) {:.6g} to {:.6g}",
+                  low.x(), high.x(), low.y(), high.y(), low.z(), high.z()));
+  if (m.suggestedBox) {
+    const SamplingBox& box = *m.suggestedBox;
+    table.line(
+        fmt::format("  a box without holes: u_start = {:.6g}, v_start = {:.6g}, u_length = {:.6g}, "
+                    "v_length = {:.6g}",
+                    box.uStart, box.vStart, box.uLength, box.vLength));
+  }
+}
+
+std::string counted(long iterations) {
+  return fmt::format("{} {}", iterations, iterations == 1 ? "iteration" : "iterations");
+}
+
+void addStage(Table& table, const char* name, const std::optional<Equilibrium>& stage) {
+  if (!stage) {
+    return;
+  }
+  table.line(fmt::format(
+      "  {:<9} {} ({}), residual {:.2g}, energy {:.6g}, {:.2f} s", name, counted(stage->iterations),
+      stage->converged ? "converged" : "NOT converged: " + toString(stage->reason), stage->residual,
+      stage->energy, stage->seconds));
+  if (stage->smallestEigenvalue) {
+    const SmallestEigenvalue& e = *stage->smallestEigenvalue;
+    table.line(fmt::format("  {:<9} {}: smallest eigenvalue {:.3g}, residual {:.2g}, {}, {:.2f} s",
+                           "", toString(verdictOf(*stage)), e.value, e.residual,
+                           counted(e.iterations), e.seconds));
+  }
+}
+
+/// Only what is wrong.
+void addFeasibility(Table& table, const RunRecord& record) {
+  const auto rowIfAny = [&](const char* what, int count) {
+    if (count > 0) {
+      table.row(what, fmt::format("{}", count));
+    }
+  };
+  if (record.shrink) {
+    rowIfAny("struts at the limit", record.shrink->strutsAtLimit);
+    rowIfAny("struts that must grow", record.shrink->strutsGrowing);
+  }
+  if (record.feasibility) {
+    const Feasibility& f = *record.feasibility;
+    rowIfAny("inverted cells", f.cells.inverted);
+    rowIfAny("collapsed cells", f.cells.collapsed);
+    rowIfAny("self-intersecting cells", f.selfIntersection.cells);
+    rowIfAny("struts too close", f.closeStruts ? f.closeStruts->count : 0);
+  }
+}
+
+void addInverse(Table& table, const RunRecord& record) {
+  if (record.printScale != 1) {
+    table.line(fmt::format("  printed {:.3f} times as large as the in-plane stage left the sheet",
+                           record.printScale));
+  }
+  if (record.inverse) {
+    const std::vector<InverseStep>& steps = record.inverse->steps;
+    const InverseStep& first = steps.front();
+    const InverseStep& last = steps.back();
+    table.line(fmt::format(
+        "  inverse design: {} steps ({}), distance {:.3g} / {:.3g} to {:.3g} / {:.3g} %, {:.2f} s",
+        steps.size() - 1, record.inverse->ending, first.rmsPercent, first.maxPercent,
+        last.rmsPercent, last.maxPercent, last.seconds));
+  }
+}
+
+void addResults(Table& table, const RunRecord& record, const PublishedFigures& paper) {
+  const auto percent = [](double value) { return fmt::format("{:.2f} %", value); };
+  if (record.errors) {
+    table.row("L0 error", percent(record.errors->l0Percent), ifAll("{:.2f} %", paper.l0Percent));
+    table.row("L_b error", percent(record.errors->lbPercent), ifAll("{:.2f} %", paper.lbPercent));
+    table.row("angle error", percent(record.errors->anglePercent),
+              ifAll("{:.2f} %", paper.anglePercent));
+  }
+  if (record.distance) {
+    const TargetDistance& d = *record.distance;
+    table.row("distance, RMS / max", fmt::format("{:.2f} / {:.2f} %", d.rmsPercent, d.maxPercent));
+    table.row("  to closest point",
+              fmt::format("{:.2f} / {:.2f} %", d.closestPointRmsPercent, d.closestPointMaxPercent));
+  }
+  if (record.shrink) {
+    table.row("largest shrink", percent(record.shrink->largestPercent));
+    table.row("struts over the limit", fmt::format("{}", record.shrink->strutsOverLimit));
+  }
+  addFeasibility(table, record);
+}
+
+void addFigures(Table& table, const RunRecord& record) {
+  const PublishedFigures paper = record.published.value_or(PublishedFigures{});
+  const GridFigures& g = record.grid;
+  addMesh(table, record);
+  addMeasurement(table, record, paper);
+  table.row("nodes, u x v", fmt::format("{} x {}", g.shape.verticesU - 1, g.shape.verticesV - 1),
+            ifAll("{} x {}", paper.nodesU, paper.nodesV));
+  table.row("layers, spacing", fmt::format("{}, {:.4g}", g.shape.layers, g.layerSpacing));
+  table.row("vertices, struts", fmt::format("{}, {}", g.shape.vertexCount(), g.shape.strutCount()));
+  table.row("largest L_b shrink", fmt::format("{:.1f} %", g.bendShrinkPercent),
+            ifAll("{:.1f} %", paper.bendShrinkPercent));
+  addNet(table, record);
+  addCutoffs(table, record);
+  addResults(table, record, paper);
+}
+
+}  // namespace
+
+std::string toTable(const RunRecord& record) {
+  Table table(record);
+  addFigures(table, record);
+  addStage(table, "in plane:", record.inPlane);
+  addStage(table, "full:", record.full);
+  addInverse(table, record);
+  return table.text();
+}
+
+std::string toFigureTable(const RunRecord& record) {
+  Table table(record);
+  addFigures(table, record);
+  return table.text();
+}
+
+}  // namespace morphgrid

@@ -1,0 +1,53 @@
+// Designs that nobody waits for any more.
+#include <gtest/gtest.h>
+
+#include "app/design_scene.h"
+#include "tests/support/folders.h"
+
+namespace morphgrid {
+namespace {
+
+struct DesignCase {
+  std::string scene;
+  std::vector<std::string> overrides;
+  int lines;  ///< Of the net, in both directions: it is to ask at least once for each.
+};
+
+class CancelledDesign : public testing::TestWithParam<DesignCase> {
+ protected:
+  /// Cancels when asked for the nth time; returns whether that ended the design.
+  bool cancelAt(int n) {
+    asked_ = 0;
+    Scene scene =
+        loadScene(sourceFolder() / "scenes" / (GetParam().scene + ".toml"), GetParam().overrides);
+    scene.solve.isCancelled = [this, n] { return ++asked_ == n; };
+    try {
+      designScene(scene);
+      return false;
+    } catch (const Cancelled&) {
+      return true;
+    }
+  }
+
+  int asked_ = 0;
+};
+
+TEST_P(CancelledDesign, EndsWhereverItIs) {
+  ASSERT_FALSE(cancelAt(0));
+  const int all = asked_;
+  EXPECT_GE(all, GetParam().lines);
+  for (const int n : {1, all / 2, all}) {
+    EXPECT_TRUE(cancelAt(n)) << n << " of " << all;
+    EXPECT_EQ(asked_, n) << "it goes on";
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Surfaces, CancelledDesign,
+    testing::Values(DesignCase{"patch", {"grid.nodes_long=30"}, 50},
+                    DesignCase{"patch", {"grid.nodes_long=30", "design.net=orthogonal"}, 50},
+                    DesignCase{"face", {"grid.nodes_long=30"}, 50},
+                    DesignCase{"face", {"grid.nodes_long=30", "design.net=orthogonal"}, 50}));
+
+}  // namespace
+}  // namespace morphgrid
