@@ -8,6 +8,7 @@
 #include "app/scene_knobs.h"
 #include "app/scene_sources.h"
 #include "app/solve_room.h"
+#include "core/error.h"
 
 namespace morphgrid {
 namespace {
@@ -171,6 +172,7 @@ void LiveRun::run(const Overrides& overrides, Start start) {
 void LiveRun::simulate(Scene scene, const SceneDesign& designed, Start start) {
   const Cancellation cancellation(scene.solve.isCancelled);
   scene.smallestEigenvalue = false;
+  scene.solve.onPositions = [this](const auto& positions) { display_.showPositions(positions); };
   scene.solve.onGrid = [this](const auto& coarse) { display_.showGrid(coarse); };
   scene.solve.onProgress = [this, isCancelled = scene.solve.isCancelled](const auto& sample) {
     display_.showSample(sample);
@@ -184,9 +186,10 @@ void LiveRun::simulate(Scene scene, const SceneDesign& designed, Start start) {
   hands.device = device_;
   hands.onStage = [&](const Stage& stage) {
     cancellation.check();
-    if (stage.onDevice) {
-      display_.showStage(stage);
+    if (!stage.onDevice) {
+      throw DeviceError(hands.failure.value_or("the device does not hold the grid"));
     }
+    display_.showStage(stage);
   };
   if (start == Start::near) {
     hands.nearInPlane = lastInPlane_;

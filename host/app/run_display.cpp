@@ -65,7 +65,6 @@ void RunDisplay::showBegin() {
 }
 
 void RunDisplay::showScene(const Scene& scene) {
-  isOnDevice_ = scene.method != Method::reference;
   board_.post([&](Snapshot& next) {
     next.title = scene.title;
     next.knobs = keepRanges(knobsOf(scene), next.knobs);
@@ -115,6 +114,7 @@ void RunDisplay::showStage(const Stage& stage) {
   const bool inPlane = stages_++ == 0;
   const GridShape& shape = stage.grid.shape;
   const Matrix3Xd middle = middleLayer(shape, stage.grid.positions);
+  onDevice_ = stage.onDevice;
   live_.onDevice = stage.onDevice;
   live_.grid = std::make_shared<StrutGrid>(stage.grid);
   live_.positions = std::make_shared<Matrix3Xd>(stage.grid.positions);
@@ -172,12 +172,10 @@ void RunDisplay::showSample(const ConvergenceSample& sample) {
   std::string status = fmt::format("{}: iteration {}, residual {:.2g}",
                                    before->newest == ShownStage::inPlane ? "in plane" : "full",
                                    sample.iteration, sample.residual);
-  if (isOnDevice_) {
-    shown = withNewestPositions(std::move(shown));
-    status += describeDistance(shown, *before);
-    if (!shown.grid) {
-      shown.positions = nullptr;
-    }
+  shown = withNewestPositions(std::move(shown));
+  status += describeDistance(shown, *before);
+  if (!shown.grid) {
+    shown.positions = nullptr;
   }
   board_.post([&](Snapshot& next) {
     next.activity = Activity::solving;

@@ -19,6 +19,8 @@ class RunDisplay {
   void showStage(const Stage& stage);
   /// A coarser grid that is solved first; null: the stage's own.
   void showGrid(const std::shared_ptr<const DeviceGrid>& coarse);
+  /// Of a method that keeps them on the host.
+  void showPositions(const Eigen::Matrix3Xd& positions) { onDevice_->uploadPositions(positions); }
   void showSample(const ConvergenceSample& sample);
   void showPaused();
   void showEnd(const Simulation& simulation);
@@ -31,12 +33,12 @@ class RunDisplay {
 
   const Device& device_;
   SnapshotBoard& board_;
-  int stages_ = 0;  ///< Of this run.
-  ShownGrid live_;  ///< What is solved.
+  int stages_ = 0;                        ///< Of this run.
+  ShownGrid live_;                        ///< What is solved.
+  std::shared_ptr<DeviceGrid> onDevice_;  ///< The same.
   /// Of its middle layer: where it should lie.
   std::shared_ptr<const Eigen::Matrix3Xd> reference_;
   GridShape referenceShape_{};
-  bool isOnDevice_ = true;  ///< Whether the device's positions are those of the solve.
 };
 
 }  // namespace morphgrid

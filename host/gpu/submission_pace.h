@@ -17,7 +17,7 @@ struct CallWork {
 class SubmissionPace {
  public:
   /// What is submitted together should take no longer, in seconds: a part of a frame.
-  static constexpr double kLongest = 0.010;
+  static constexpr double kLongest = 0.008;
   /// Of what is recorded, no more workgroups than these are inseparable.
   static constexpr long kMostGroups = 256;
 

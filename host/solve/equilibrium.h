@@ -53,6 +53,8 @@ struct SolveOptions {
   /// Multigrid starts where the device grid's positions are, near the answer, without coarser
   /// grids.
   bool startsNear = false;
+  /// Called before onProgress, by methods that keep the positions on the host; may be empty.
+  std::function<void(const Eigen::Matrix3Xd&)> onPositions;
   /// Called now and then with the newest sample; may be empty.
   std::function<void(const ConvergenceSample&)> onProgress;
   /// Called with where the solve stands, as often as costs 1 % of its time, and when it has to end

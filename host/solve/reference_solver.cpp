@@ -133,6 +133,9 @@ Equilibrium solveReference(const StrutGrid& grid, const SolveOptions& options) {
     const bool last = result.converged || result.iterations >= options.iterationLimit;
     if (last || result.iterations % kSampleEvery == 0) {
       result.history.push_back({result.iterations, result.energy, result.residual, result.seconds});
+      if (options.onPositions) {
+        options.onPositions(result.positions);
+      }
       if (options.onProgress) {
         options.onProgress(result.history.back());
       }

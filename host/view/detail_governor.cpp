@@ -5,8 +5,8 @@
 namespace morphgrid {
 namespace {
 
-// Seconds of a frame. Two of them must pass within a tenth of a second, slow ones too: an event that
-// has just missed one is answered by the next.
+// Seconds of a frame. Two of them must pass within a tenth of a second, slow ones too: an event
+// that has just missed one is answered by the next.
 constexpr double kLate = 0.030;
 constexpr double kWanted = 0.024;
 constexpr double kStill = 0.080;  // Of a frame that stays: still soon enough for an event.

@@ -155,6 +155,29 @@ TEST_F(LiveSession, PausesAndDoesSingleSteps) {
   awaitRest();
 }
 
+/// 3 x vertexCount, as frames draw them.
+Eigen::Matrix3Xd drawnPositions(const Snapshot& snapshot, ShownStage stage) {
+  const DeviceGrid& grid = *snapshot.stages[static_cast<std::size_t>(stage)]->onDevice;
+  return grid.downloadPositions(grid.positions());
+}
+
+TEST_F(LiveSession, ShowsStepsOfTheMethodThatKeepsPositionsOnTheHost) {
+  start(kDome, {"solver.method=\"reference\""});
+  session_->pause(true);
+  const auto hasMoved = [](const Snapshot& s) {
+    return s.newest == ShownStage::warped && s.activity == Activity::paused &&
+           drawnPositions(s, ShownStage::warped) != drawnPositions(s, ShownStage::stacked);
+  };
+  auto snapshot = awaitActivity(Activity::paused);
+  for (int n = 0; n < 100 && !hasMoved(*snapshot); ++n) {
+    session_->step();
+    snapshot = await([&](const Snapshot& s) {
+      return s.status != snapshot->status && s.activity != Activity::solving;
+    });
+  }
+  EXPECT_TRUE(hasMoved(*snapshot)) << snapshot->status;
+}
+
 TEST_F(LiveSession, AKnobTakesThePlaceOfTheSolveUnderWay) {
   start(kDome);
   session_->pause(true);
