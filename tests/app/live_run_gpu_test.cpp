@@ -7,6 +7,7 @@
 #include <set>
 
 #include "core/error.h"
+#include "tests/support/dome_scene.h"
 #include "tests/support/temporary_folder.h"
 
 namespace morphgrid {
@@ -17,20 +18,6 @@ using std::chrono_literals::operator""s;
 using testing::Contains;
 using testing::HasSubstr;
 using testing::StartsWith;
-
-constexpr const char* kDome = R"(
-title = "Dome"
-[surface]
-kind = "bend_angles"
-theta_u = [0.2, 0.2]
-theta_v = [0.2, 0.2]
-spacing = 1.0
-[grid]
-layers = 3
-layer_spacing = 0.2
-nodes_u = 6
-nodes_v = 5
-)";
 
 constexpr const char* kVault = R"(
 title = "Vault"
@@ -143,7 +130,7 @@ TEST_F(LiveSession, PassesThroughAllStages) {
 }
 
 TEST_F(LiveSession, PausesAndDoesSingleSteps) {
-  start(kDome);
+  start(kDomeScene);
   session_->pause(true);
   auto snapshot = awaitActivity(Activity::paused);
   const auto samples = snapshot->history.size();
@@ -162,7 +149,7 @@ Eigen::Matrix3Xd drawnPositions(const Snapshot& snapshot, ShownStage stage) {
 }
 
 TEST_F(LiveSession, ShowsStepsOfTheMethodThatKeepsPositionsOnTheHost) {
-  start(kDome, {"solver.method=\"reference\""});
+  start(kDomeScene, {"solver.method=\"reference\""});
   session_->pause(true);
   const auto hasMoved = [](const Snapshot& s) {
     return s.newest == ShownStage::warped && s.activity == Activity::paused &&
@@ -179,7 +166,7 @@ TEST_F(LiveSession, ShowsStepsOfTheMethodThatKeepsPositionsOnTheHost) {
 }
 
 TEST_F(LiveSession, AKnobTakesThePlaceOfTheSolveUnderWay) {
-  start(kDome);
+  start(kDomeScene);
   session_->pause(true);
   awaitActivity(Activity::paused);
   session_->pause(false);
@@ -192,7 +179,7 @@ TEST_F(LiveSession, AKnobTakesThePlaceOfTheSolveUnderWay) {
 }
 
 TEST_F(LiveSession, KnobsAreUndoneAndRedone) {
-  start(kDome);
+  start(kDomeScene);
   awaitRest();
   session_->turnKnob("weights.angle", "2");
   awaitRest();
@@ -207,7 +194,7 @@ TEST_F(LiveSession, KnobsAreUndoneAndRedone) {
 }
 
 TEST_F(LiveSession, ABadValueIsToldAndUndone) {
-  start(kDome);
+  start(kDomeScene);
   awaitRest();
   session_->turnKnob("grid.layers", "0");
   const auto failed = awaitActivity(Activity::failed);
@@ -221,7 +208,7 @@ TEST_F(LiveSession, ABadValueIsToldAndUndone) {
 }
 
 TEST_F(LiveSession, SolvesByEveryMethod) {
-  start(kDome);
+  start(kDomeScene);
   const auto byMultigrid = awaitRest();
   const auto warped = [](const Snapshot& s) {
     return *s.stages[static_cast<std::size_t>(ShownStage::warped)];
@@ -259,20 +246,20 @@ TEST_F(LiveSession, TellsOfChangesOnDiskAndReadsThem) {
 }
 
 TEST_F(LiveSession, TellsOfChangesOnDiskWhilePaused) {
-  start(kDome);
+  start(kDomeScene);
   session_->pause(true);
   awaitActivity(Activity::paused);
-  rewrite("scene.toml", kDome);
+  rewrite("scene.toml", kDomeScene);
   await([](const Snapshot& s) { return s.isOutdated; });
 }
 
 TEST_F(LiveSession, AFileThatBreaksIsToldAndMended) {
-  start(kDome);
+  start(kDomeScene);
   awaitRest();
   rewrite("scene.toml", "title = ");
   session_->reload();
   EXPECT_THAT(awaitActivity(Activity::failed)->problem.value_or(""), HasSubstr("not valid TOML"));
-  rewrite("scene.toml", kDome);
+  rewrite("scene.toml", kDomeScene);
   await([](const Snapshot& s) { return s.isOutdated; });
   session_->reload();
   awaitRest();
@@ -299,7 +286,7 @@ TEST_F(LiveSession, TheSceneThatItSavesMeansTheSame) {
 }
 
 TEST_F(LiveSession, ExportsFiles) {
-  start(kDome);
+  start(kDomeScene);
   awaitRest();
   session_->exportFiles();
   awaitMessage("files exported to ");
@@ -310,7 +297,7 @@ TEST_F(LiveSession, ExportsFiles) {
 
 TEST_F(LiveSession, WhereNothingCanBeWrittenSaysSo) {
   folder_.write("out", "a file");
-  start(kDome);
+  start(kDomeScene);
   awaitRest();
   session_->exportFiles();
   await([](const Snapshot& s) { return s.message.find("out") != std::string::npos; });
@@ -333,7 +320,7 @@ TEST_F(LiveSession, AKnobTakesThePlaceOfTheDesignUnderWay) {
 
 TEST_F(LiveSession, ClosesWhileItSolvesOrIsPaused) {
   for (const bool isPaused : {false, true}) {
-    start(kDome, {"grid.nodes_u=60", "grid.nodes_v=60"});
+    start(kDomeScene, {"grid.nodes_u=60", "grid.nodes_v=60"});
     session_->pause(isPaused);
     awaitActivity(isPaused ? Activity::paused : Activity::solving);
     session_.reset();
@@ -341,7 +328,7 @@ TEST_F(LiveSession, ClosesWhileItSolvesOrIsPaused) {
 }
 
 TEST_F(LiveSession, WaitsForFramesWhereEveryStepIsShown) {
-  start(kDome);
+  start(kDomeScene);
   session_->showEveryStep(true);
   session_->restart();
   for (long frame = 0; frame < 10000; ++frame) {

@@ -7,6 +7,7 @@
 #include <functional>
 
 #include "tests/render/pixels.h"
+#include "tests/support/dome_scene.h"
 #include "tests/support/folders.h"
 #include "tests/view/desktop.h"
 
@@ -14,21 +15,6 @@ namespace morphgrid {
 namespace {
 
 using testing::HasSubstr;
-
-constexpr const char* kScene = R"(
-title = "Dome"
-[surface]
-kind = "bend_angles"
-theta_u = [0.2, 0.2]
-theta_v = [0.2, 0.2]
-spacing = 1.0
-[grid]
-layers = 3
-layer_spacing = 0.2
-nodes_u = 8
-nodes_v = 8
-max_shrinkage = 0.5
-)";
 
 // Devices and fonts differ in the pixels along edges, and runs in the seconds that are told.
 constexpr double kLargestMeanDifference = 2;
@@ -40,7 +26,7 @@ constexpr int kLooks = 60;       // Until the window must have changed.
 class ViewerWindow : public testing::Test {
  protected:
   std::unique_ptr<BackgroundProgram> start(const std::vector<std::string>& more = {}) {
-    return start(more, desktop_.folder().write("dome.toml", kScene));
+    return start(more, desktop_.folder().write("dome.toml", kDomeScene));
   }
   std::unique_ptr<BackgroundProgram> start(const std::vector<std::string>& more,
                                            const std::filesystem::path& scene) {
@@ -177,7 +163,7 @@ TEST_F(ViewerWindow, IsMinimisedAndComesBack) {
 TEST_F(ViewerWindow, ReadsTheSceneAgain) {
   const auto viewer = start();
   focus("^Dome, warped: at rest");
-  std::string changed = kScene;
+  std::string changed = kDomeScene;
   changed.replace(changed.find("Dome"), 4, "Vault");
   desktop_.folder().write("dome.toml", changed);
   desktop_.press("ctrl+r");
@@ -206,7 +192,7 @@ TEST_F(ViewerWindow, ACtrlCInTheTerminalClosesIt) {
 }
 
 TEST_F(ViewerWindow, WithoutADisplaySaysWhatToDo) {
-  const std::filesystem::path scene = desktop_.folder().write("dome.toml", kScene);
+  const std::filesystem::path scene = desktop_.folder().write("dome.toml", kDomeScene);
   BackgroundProgram viewer({binaryFolder() / "morphgrid", "view", scene}, {"DISPLAY="},
                            desktop_.folder() / "viewer.log");
   EXPECT_EQ(viewer.exitCode(), 4);
