@@ -158,7 +158,7 @@ std::string shortcoming(const vk::raii::Instance& instance, const vk::raii::Phys
     return "it has no queue for both compute and graphics";
   }
   if (presentation && !canPresent(instance, device, *presentation)) {
-    return "it cannot draw into a window of this display";
+    return "it cannot draw into a window of this display, which `morphgrid run` does not need";
   }
   return {};
 }
