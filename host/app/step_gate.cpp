@@ -1,17 +1,8 @@
 #include "app/step_gate.h"
 
 #include <algorithm>
-#include <chrono>
 
 namespace morphgrid {
-namespace {
-
-// A window that shows no frames, minimised or closing, must not stop the solver; nor may a wake()
-// that comes just before a wait.
-constexpr std::chrono::milliseconds kPatience(100);
-
-}  // namespace
-
 void StepGate::pause(bool isPaused) {
   {
     const std::lock_guard lock(mutex_);
@@ -50,7 +41,7 @@ void StepGate::awaitLeave(std::unique_lock<std::mutex>& lock,
     lock.unlock();
     whilePaused();
     lock.lock();
-    changed_.wait_for(lock, kPatience, [&] { return !isPaused_ || leaves_ > 0 || isCancelled(); });
+    changed_.wait_for(lock, patience_, [&] { return !isPaused_ || leaves_ > 0 || isCancelled(); });
   }
   leaves_ = std::max(leaves_ - 1, 0L);
 }
@@ -62,7 +53,7 @@ void StepGate::pass(const std::function<bool()>& isCancelled,
   if (showsEveryStep_) {
     // The frame under way may have begun before this step.
     const long seen = frames_ + 1;
-    changed_.wait_for(lock, kPatience, [&] { return frames_ > seen || isCancelled(); });
+    changed_.wait_for(lock, patience_, [&] { return frames_ > seen || isCancelled(); });
   }
 }
 

@@ -1,4 +1,5 @@
 #pragma once
+#include <chrono>
 #include <condition_variable>
 #include <functional>
 #include <mutex>
@@ -9,6 +10,12 @@ namespace morphgrid {
 /// frame has shown its last step.
 class StepGate {
  public:
+  /// A window that shows no frames, minimised or closing, must not stop the solver; nor may a
+  /// wake() that comes just before a wait.
+  static constexpr std::chrono::milliseconds kPatience{100};
+
+  explicit StepGate(std::chrono::milliseconds patience = kPatience) : patience_(patience) {}
+
   void pause(bool isPaused);
   /// Pauses after one more step.
   void step();
@@ -25,6 +32,7 @@ class StepGate {
   void awaitLeave(std::unique_lock<std::mutex>& lock, const std::function<bool()>& isCancelled,
                   const std::function<void()>& whilePaused);
 
+  std::chrono::milliseconds patience_;
   std::mutex mutex_;
   std::condition_variable changed_;
   bool isPaused_ = false;

@@ -74,19 +74,19 @@ TEST_F(GatedSolver, ThatIsCancelledIsNotHeld) {
 }
 
 TEST(StepGate, WaitsForAFrameThatBeganAfterTheStep) {
-  StepGate gate;
+  StepGate gate(std::chrono::hours(1));  // Nothing but frames ends the wait.
   std::atomic<bool> passed = false;
   std::thread solver([&] {
     gate.pass([] { return false; }, [] {});
     passed = true;
   });
-  const auto begin = std::chrono::steady_clock::now();
-  while (!passed) {
+  long frames = 0;
+  for (; !passed; ++frames) {
     gate.noteFrame();
     std::this_thread::sleep_for(1ms);
   }
   solver.join();
-  EXPECT_LT(std::chrono::steady_clock::now() - begin, 90ms) << "its patience ended the wait";
+  EXPECT_GE(frames, 2) << "the first may have begun before the step";
 }
 
 TEST(StepGate, DoesNotWaitForWindowsWithoutFrames) {
