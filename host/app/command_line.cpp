@@ -68,7 +68,7 @@ void logNotices(const RunRecord& record) {
 int check(const Arguments& arguments) {
   const Scene scene = loadScene(arguments.scene, arguments.overrides);
   RunRecord record = checkScene(scene);
-  noteMissingRoom(scene, record);
+  noteInsufficientDevice(scene, record);
   logNotices(record);
   fmt::print("{}", toTable(record));
   return kConverged;
@@ -150,16 +150,16 @@ int view(const Arguments& arguments) {
   Window window({.title = scene.title});
   DeviceOptions options = arguments.device;
   options.presentation = Window::presentation();
-  Stagehands hands;
-  hands.device = std::make_shared<Device>(options);
+  RunContext context;
+  context.device = std::make_shared<Device>(options);
   installInterruptHandler();
   {
-    LiveRun session(hands.device, {arguments.scene, arguments.overrides, folder, Window::wake});
-    runViewer(*hands.device, window, session,
+    LiveRun session(context.device, {arguments.scene, arguments.overrides, folder, Window::wake});
+    runViewer(*context.device, window, session,
               {.pictureFile = scene.name + "_view.png",
                .statisticsSeconds = arguments.statisticsSeconds});
   }
-  hands.requireSilence();
+  context.requireSilence();
   return interruptRequested() ? kInterrupted : kConverged;
 }
 

@@ -97,14 +97,14 @@ std::vector<Panel> panelsOf(DrawnPanels drawn, const RunRecord& record, const Sh
   return panels;
 }
 
-FilmRecord film(const Scene& scene, Stagehands& hands, Simulation& simulation,
+FilmRecord film(const Scene& scene, RunContext& context, Simulation& simulation,
                 const FiguresOptions& options) {
   FilmRecord record;
   if (!options.film.wanted() || interruptRequested() || !simulation.stage.onDevice) {
     return record;
   }
-  hands.attempt(
-      [&] { record = filmMorph(scene, *hands.device, simulation, options.film, options.quiet); });
+  context.attempt(
+      [&] { record = filmMorph(scene, *context.device, simulation, options.film, options.quiet); });
   return record;
 }
 
@@ -119,19 +119,19 @@ FiguresRecord makeFigures(Scene scene, const FiguresOptions& options) {
   sheetSize(sheet, std::size(kPanelNames));  // A sheet too large is told before the solve,
   Font::findMono();                          // and so is a missing font.
   DrawnPanels drawn;
-  Stagehands hands =
-      summonStagehands(scene, designed, options.device, panelPicture(sheet),
+  RunContext context =
+      createRunContext(scene, designed, options.device, panelPicture(sheet),
                        [&](const std::string& name, const Panel& panel) { drawn[name] = panel; });
   requireWritable(options);
 
   CheckpointKeeper keeper({}, {});
-  Simulation simulation = simulateScene(scene, designed, hands, keeper, options.quiet);
+  Simulation simulation = simulateScene(scene, designed, context, keeper, options.quiet);
   writePng(options.sheet,
            composeSheet(panelsOf(std::move(drawn), simulation.record, sheet), sheet));
-  const FilmRecord filmed = film(scene, hands, simulation, options);
-  hands.requireSilence();
+  const FilmRecord filmed = film(scene, context, simulation, options);
+  context.requireSilence();
   RunRecord& record = simulation.record;
-  record.deviceFailure = hands.failure;
+  record.deviceFailure = context.failure;
   record.notices.insert(record.notices.end(), filmed.notices.begin(), filmed.notices.end());
   return {std::move(record), filmed.converged};
 }

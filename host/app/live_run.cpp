@@ -4,10 +4,10 @@
 
 #include <chrono>
 
+#include "app/device_capacity.h"
 #include "app/pipeline.h"
 #include "app/scene_knobs.h"
 #include "app/scene_sources.h"
-#include "app/solve_room.h"
 #include "core/error.h"
 
 namespace morphgrid {
@@ -17,7 +17,7 @@ constexpr std::chrono::milliseconds kFilePatience(500);
 
 void requireRoom(const Device& device, const Scene& scene, const GridDesign& design) {
   const GridShape shape{design.nodesU + 1, design.nodesV + 1, design.layers};
-  if (const auto reason = whyTooLarge(shape, scene.method, roomOn(device))) {
+  if (const auto reason = explainOverflow(shape, scene.method, capacityOf(device))) {
     throw InputError(fmt::format("{}: {}", scene.file.string(), *reason));
   }
 }
@@ -182,23 +182,23 @@ void LiveRun::simulate(Scene scene, const SceneDesign& designed, Start start) {
       noteChangedSources();
     });
   };
-  Stagehands hands;
-  hands.device = device_;
-  hands.onStage = [&](const Stage& stage) {
+  RunContext context;
+  context.device = device_;
+  context.onStage = [&](const Stage& stage) {
     cancellation.check();
     if (!stage.onDevice) {
-      throw DeviceError(hands.failure.value_or("the device does not hold the grid"));
+      throw DeviceError(context.failure.value_or("the device does not hold the grid"));
     }
     display_.showStage(stage);
   };
   if (start == Start::near) {
-    hands.nearInPlane = lastInPlane_;
-    hands.nearFull = lastFull_;
+    context.nearInPlane = lastInPlane_;
+    context.nearFull = lastFull_;
   }
   CheckpointKeeper keeper({}, {});
-  Simulation simulation = simulateScene(scene, designed, hands, keeper, true);
-  if (hands.failure) {
-    throw DeviceError(*hands.failure);
+  Simulation simulation = simulateScene(scene, designed, context, keeper, true);
+  if (context.failure) {
+    throw DeviceError(*context.failure);
   }
   cancellation.check();
   lastInPlane_ = simulation.record.inPlane->positions;

@@ -4,8 +4,8 @@
 
 #include <chrono>
 
+#include "app/device_capacity.h"
 #include "app/simulate_scene.h"
-#include "app/solve_room.h"
 #include "core/atomic_file.h"
 #include "core/error.h"
 #include "export/gltf.h"
@@ -75,9 +75,9 @@ void exportFiles(const Stage& stage, const Eigen::Isometry3d& targetFromGrid,
 
 RunRecord checkScene(const Scene& scene) { return recordOf(scene, designScene(scene)); }
 
-void noteMissingRoom(const Scene& scene, RunRecord& record) {
+void noteInsufficientDevice(const Scene& scene, RunRecord& record) {
   try {
-    const auto reason = whyTooLarge(record.grid.shape, scene.method, roomOn(Device()));
+    const auto reason = explainOverflow(record.grid.shape, scene.method, capacityOf(Device()));
     if (reason) {
       record.notices.push_back(*reason);
     }
@@ -92,18 +92,18 @@ RunRecord runScene(const Scene& scene, const RunOptions& options) {
   CheckpointKeeper keeper = checkpointKeeper(scene, designed.design, options);
   const std::filesystem::path& folder = options.outputFolder;
   const PictureOptions picture{.width = scene.pictures.width, .height = scene.pictures.height};
-  Stagehands hands = summonStagehands(scene, designed, options.device, picture,
-                                      [&](const std::string& name, const Panel& panel) {
-                                        writePicture(folder / (name + ".png"), panel, picture);
-                                      });
+  RunContext context = createRunContext(scene, designed, options.device, picture,
+                                        [&](const std::string& name, const Panel& panel) {
+                                          writePicture(folder / (name + ".png"), panel, picture);
+                                        });
   if (scene.solve.stopRequested()) {
     throw Cancelled();
   }
   createFolder(folder);
-  Simulation simulation = simulateScene(scene, designed, hands, keeper, options.quiet);
-  hands.requireSilence();
+  Simulation simulation = simulateScene(scene, designed, context, keeper, options.quiet);
+  context.requireSilence();
   RunRecord& record = simulation.record;
-  record.deviceFailure = hands.failure;
+  record.deviceFailure = context.failure;
   record.secondsTotal =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   writeFileAtomically(folder / "convergence.csv", toConvergenceCsv(record));

@@ -22,8 +22,8 @@ void exportFiles(const Stage& stage, const Eigen::Isometry3d& targetFromGrid,
 /// Reads nothing, solves nothing: measures and designs.
 RunRecord checkScene(const Scene& scene);
 
-/// Adds a notice when the first device that will do has no room for the checked scene's grid.
-void noteMissingRoom(const Scene& scene, RunRecord& record);
+/// Adds a notice when the first device that will do cannot hold the checked scene's grid.
+void noteInsufficientDevice(const Scene& scene, RunRecord& record);
 
 /// The main job: measure, design, solve in the plane, stack, solve in space; leaves report,
 /// pictures and files in the output folder. When the device fails on the way, the record and the

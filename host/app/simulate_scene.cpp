@@ -42,7 +42,7 @@ Eigen::Isometry3d alignResult(const Stage& stage, const std::optional<Eigen::Mat
 }
 
 /// What of the design and of its result cannot be printed, or cannot be.
-void examine(const Stage& stage, const Scene& scene, RunRecord& record) {
+void assessPrintability(const Stage& stage, const Scene& scene, RunRecord& record) {
   const auto tell = [&](const std::vector<std::string>& advice) {
     record.notices.insert(record.notices.end(), advice.begin(), advice.end());
   };
@@ -57,19 +57,19 @@ void examine(const Stage& stage, const Scene& scene, RunRecord& record) {
 
 }  // namespace
 
-Simulation simulateScene(const Scene& scene, const SceneDesign& designed, Stagehands& hands,
+Simulation simulateScene(const Scene& scene, const SceneDesign& designed, RunContext& context,
                          CheckpointKeeper& keeper, bool quiet) {
   const Cancellation cancellation(scene.solve.isCancelled);
   RunRecord record = recordOf(scene, designed);
   record.device =
-      scene.method == Method::reference ? "CPU, double precision" : hands.device->name();
+      scene.method == Method::reference ? "CPU, double precision" : context.device->name();
   if (designed.sampling) {
-    hands.draw([&](Pictures& pictures) {
+    context.draw([&](Pictures& pictures) {
       pictures.drawSampling(scene.mesh->mesh, designed.sampling->hits);
     });
   }
 
-  Stages stages(scene, hands, keeper, quiet);
+  Stages stages(scene, context, keeper, quiet);
   Stage stage = stages.runInPlane(designed.design);
   record.inPlane = stage.equilibrium;
   if (record.inPlane->reason == StopReason::interrupted && record.inPlane->iterations == 0) {
@@ -91,14 +91,14 @@ Simulation simulateScene(const Scene& scene, const SceneDesign& designed, Stageh
   const Eigen::Matrix3Xd& positions = stage.equilibrium.positions;
   record.errors = computeStrutErrors(designed.design, stage.grid, positions);
   cancellation.check();
-  examine(stage, scene, record);
+  assessPrintability(stage, scene, record);
   cancellation.check();
   if (designed.targets) {
     record.distance = computeTargetDistance(middleLayer(stage.grid.shape, positions),
                                             *designed.targets, closestPointsOfTarget(scene));
   }
   const Eigen::Isometry3d targetFromGrid = alignResult(stage, designed.targets);
-  hands.draw([&](Pictures& pictures) {
+  context.draw([&](Pictures& pictures) {
     pictures.drawResult(*stage.onDevice, positions, targetFromGrid, designed.targets);
     if (record.full) {
       pictures.drawShrink(stage.grid, scene.design.maxShrinkage);

@@ -17,7 +17,7 @@ struct Simulation {
 /// draws on the way. The keeper says where to begin. Throws Cancelled where scene.solve is
 /// cancelled, because nobody waits for the result, and when the user interrupts before anything is
 /// solved.
-Simulation simulateScene(const Scene& scene, const SceneDesign& designed, Stagehands& hands,
+Simulation simulateScene(const Scene& scene, const SceneDesign& designed, RunContext& context,
                          CheckpointKeeper& keeper, bool quiet);
 
 }  // namespace morphgrid

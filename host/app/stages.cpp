@@ -16,12 +16,12 @@ namespace morphgrid {
 
 Stage Stages::prepare(StrutGrid grid) {
   Stage stage{std::move(grid), nullptr, {}};
-  if (hands_.device) {
-    hands_.attempt(
-        [&] { stage.onDevice = std::make_shared<DeviceGrid>(*hands_.device, stage.grid); });
+  if (context_.device) {
+    context_.attempt(
+        [&] { stage.onDevice = std::make_shared<DeviceGrid>(*context_.device, stage.grid); });
   }
-  if (hands_.onStage) {
-    hands_.onStage(stage);
+  if (context_.onStage) {
+    context_.onStage(stage);
   }
   return stage;
 }
@@ -31,17 +31,17 @@ std::optional<Equilibrium> Stages::solveByMethod(const Stage& stage, const Solve
     return solveReference(stage.grid, options);
   }
   std::optional<Equilibrium> result;
-  hands_.attempt([&] {
+  context_.attempt([&] {
     result = scene_.method == Method::multigrid
-                 ? solveMultigrid(*hands_.device, stage.grid, *stage.onDevice, options)
-                 : JacobiSolver(*hands_.device, stage.grid, *stage.onDevice).solve(options);
+                 ? solveMultigrid(*context_.device, stage.grid, *stage.onDevice, options)
+                 : JacobiSolver(*context_.device, stage.grid, *stage.onDevice).solve(options);
   });
   return result;
 }
 
 void Stages::showOnDevice(const Stage& stage) {
   if (stage.onDevice) {
-    hands_.attempt([&] { stage.onDevice->uploadPositions(stage.equilibrium.positions); });
+    context_.attempt([&] { stage.onDevice->uploadPositions(stage.equilibrium.positions); });
   }
 }
 
@@ -74,7 +74,7 @@ void Stages::solve(Stage& stage, const char* name, const Eigen::Matrix3Xd& near)
   options.resumeFrom = keeper_.latest();
   if (scene_.method == Method::multigrid && stage.onDevice &&
       near.cols() == stage.grid.shape.vertexCount()) {
-    hands_.attempt([&] { stage.onDevice->uploadPositions(near); });
+    context_.attempt([&] { stage.onDevice->uploadPositions(near); });
     options.startsNear = true;
   }
   auto result = solveByMethod(stage, options);
@@ -83,18 +83,18 @@ void Stages::solve(Stage& stage, const char* name, const Eigen::Matrix3Xd& near)
 }
 
 /// On request: is the equilibrium a minimum?
-void Stages::judge(Stage& stage, Motions motions) {
+void Stages::assessStability(Stage& stage, Motions motions) {
   if (!scene_.smallestEigenvalue || scene_.solve.stopRequested()) {
     return;
   }
-  const auto judgeBy = [&](const Preconditioner& preconditioner) {
+  const auto assessBy = [&](const Preconditioner& preconditioner) {
     stage.equilibrium.smallestEigenvalue = computeSmallestEigenvalue(
         stage.grid, stage.equilibrium.positions, preconditioner, {.motions = motions});
   };
   if (scene_.method == Method::reference) {
-    judgeBy(constantMatrixPreconditioner(stage.grid));
+    assessBy(constantMatrixPreconditioner(stage.grid));
   } else {
-    hands_.attempt([&] { judgeBy(vCyclePreconditioner(*hands_.device, *stage.onDevice)); });
+    context_.attempt([&] { assessBy(vCyclePreconditioner(*context_.device, *stage.onDevice)); });
   }
 }
 
@@ -121,9 +121,9 @@ std::optional<InverseDesign> Stages::improve(Stage& stage, const Eigen::Matrix3X
     }
   };
   std::optional<InverseDesign> result;
-  hands_.attempt([&] {
+  context_.attempt([&] {
     StrutGrid grid = stage.grid;
-    result = InverseDesigner(*hands_.device, grid, *stage.onDevice, targets, options)
+    result = InverseDesigner(*context_.device, grid, *stage.onDevice, targets, options)
                  .run(stage.equilibrium);
     stage.grid.rest = std::move(grid.rest);
     stage.equilibrium = result->equilibrium;
@@ -133,19 +133,19 @@ std::optional<InverseDesign> Stages::improve(Stage& stage, const Eigen::Matrix3X
 
 Stage Stages::runInPlane(const GridDesign& design) {
   Stage stage = prepare(inPlaneGrid(design, scene_.weights, scene_.scaling));
-  hands_.draw([&](Pictures& pictures) {
+  context_.draw([&](Pictures& pictures) {
     pictures.drawFlat("initial", "initial: one layer of square cells", *stage.onDevice,
                       stage.grid.positions);
   });
   if (keeper_.inPlane()) {
     stage.equilibrium = *keeper_.inPlane();
   } else {
-    solve(stage, "in plane", hands_.nearInPlane);
+    solve(stage, "in plane", context_.nearInPlane);
     keeper_.beginFullStage(stage.equilibrium);
   }
   showOnDevice(stage);
-  judge(stage, Motions::inPlane);
-  hands_.draw([&](Pictures& pictures) {
+  assessStability(stage, Motions::inPlane);
+  context_.draw([&](Pictures& pictures) {
     pictures.drawFlat("in_plane", "in plane: the layer to be printed", *stage.onDevice,
                       stage.equilibrium.positions);
   });
@@ -164,13 +164,13 @@ Stage Stages::runFull(const GridDesign& design, const Eigen::Matrix3Xd& printedL
   }
   Stage stage = prepare(std::move(grid));
   stage.printScale = printScale;
-  hands_.draw([&](Pictures& pictures) {
+  context_.draw([&](Pictures& pictures) {
     pictures.drawFlat("stacked", "stacked: all layers, before the morph", *stage.onDevice,
                       stage.grid.positions);
   });
-  solve(stage, "full", hands_.nearFull);
+  solve(stage, "full", context_.nearFull);
   showOnDevice(stage);
-  judge(stage, Motions::inSpace);
+  assessStability(stage, Motions::inSpace);
   return stage;
 }
 

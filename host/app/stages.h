@@ -1,6 +1,6 @@
 #pragma once
 #include "app/checkpoint_keeper.h"
-#include "app/stagehands.h"
+#include "app/run_context.h"
 #include "inverse/inverse_design.h"
 #include "solve/device_grid.h"
 
@@ -18,8 +18,8 @@ struct Stage {
 class Stages {
  public:
   /// Keeps references.
-  Stages(const Scene& scene, Stagehands& hands, CheckpointKeeper& keeper, bool quiet)
-      : scene_(scene), hands_(hands), keeper_(keeper), quiet_(quiet) {}
+  Stages(const Scene& scene, RunContext& context, CheckpointKeeper& keeper, bool quiet)
+      : scene_(scene), context_(context), keeper_(keeper), quiet_(quiet) {}
 
   /// One layer of square cells morphs in its plane to what is printed.
   Stage runInPlane(const GridDesign& design);
@@ -35,11 +35,11 @@ class Stages {
   void solve(Stage& stage, const char* name, const Eigen::Matrix3Xd& near);
   std::optional<Equilibrium> solveByMethod(const Stage& stage, const SolveOptions& options);
   void showOnDevice(const Stage& stage);
-  void judge(Stage& stage, Motions motions);
+  void assessStability(Stage& stage, Motions motions);
   Equilibrium lastKnown(const StrutGrid& grid) const;
 
   const Scene& scene_;
-  Stagehands& hands_;
+  RunContext& context_;
   CheckpointKeeper& keeper_;
   bool quiet_;
 };

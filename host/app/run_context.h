@@ -13,7 +13,7 @@ struct Stage;
 
 /// The device and the pictures of a run; a run on the CPU without pictures needs neither. Once the
 /// device has failed, it is left alone.
-struct Stagehands {
+struct RunContext {
   std::shared_ptr<Device> device;
   std::unique_ptr<Pictures> pictures;
   std::optional<std::string> failure;  ///< What the device said when it failed.
@@ -50,9 +50,9 @@ struct Stagehands {
 };
 
 /// Those that the scene needs. picture: the size of the pictures; show: what becomes of them.
-/// Throws DeviceError when there is no device that will do, InputError when it has no room for the
+/// Throws DeviceError when there is no device that will do, InputError when it cannot hold the
 /// grid.
-Stagehands summonStagehands(const Scene& scene, const SceneDesign& designed,
+RunContext createRunContext(const Scene& scene, const SceneDesign& designed,
                             const DeviceOptions& device, const PictureOptions& picture,
                             ShowPanel show);
 

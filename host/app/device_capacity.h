@@ -8,7 +8,7 @@
 namespace morphgrid {
 
 /// What a device leaves a solve to work with.
-struct SolveRoom {
+struct DeviceCapacity {
   std::string deviceName;
   AvailableMemory memory;
   std::uint64_t largestBuffer;  ///< Bytes.
@@ -18,11 +18,11 @@ struct SolveRoom {
   std::uint64_t mostVerticesV;
 };
 
-SolveRoom roomOn(const Device& device);
+DeviceCapacity capacityOf(const Device& device);
 
 /// Why a grid cannot be solved there, and the largest of its proportions that can; nothing when it
 /// can, or for Method::reference, which needs no device.
-std::optional<std::string> whyTooLarge(const GridShape& shape, Method method,
-                                       const SolveRoom& room);
+std::optional<std::string> explainOverflow(const GridShape& shape, Method method,
+                                           const DeviceCapacity& capacity);
 
 }  // namespace morphgrid

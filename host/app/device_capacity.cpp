@@ -1,4 +1,4 @@
-#include "app/solve_room.h"
+#include "app/device_capacity.h"
 
 #include <fmt/format.h>
 
@@ -23,36 +23,39 @@ double vertexCount(const GridShape& shape) {
 std::string gigabytes(std::uint64_t bytes) { return fmt::format("{:.3g} GB", bytes / 1e9); }
 
 /// "" when nothing is.
-std::string whatIsLacking(const GridShape& shape, Method method, const SolveRoom& room) {
+std::string describeShortfall(const GridShape& shape, Method method,
+                              const DeviceCapacity& capacity) {
   const SolveMemory needed = memoryFor(shape, method);
-  const AvailableMemory& free = room.memory;
-  if (free.shared && needed.device + needed.host > free.host) {
+  const AvailableMemory& available = capacity.memory;
+  if (available.shared && needed.device + needed.host > available.host) {
     return fmt::format("{} of memory, {} are free", gigabytes(needed.device + needed.host),
-                       gigabytes(free.host));
+                       gigabytes(available.host));
   }
-  if (needed.device > free.device) {
+  if (needed.device > available.device) {
     return fmt::format("{} of memory on {}, {} are free there", gigabytes(needed.device),
-                       room.deviceName, gigabytes(free.device));
+                       capacity.deviceName, gigabytes(available.device));
   }
-  if (needed.host > free.host) {
-    return fmt::format("{} of memory, {} are free", gigabytes(needed.host), gigabytes(free.host));
+  if (needed.host > available.host) {
+    return fmt::format("{} of memory, {} are free", gigabytes(needed.host),
+                       gigabytes(available.host));
   }
-  if (needed.largestBuffer > room.largestBuffer) {
+  if (needed.largestBuffer > capacity.largestBuffer) {
     return fmt::format("a buffer of {}, {} has them of {} at most", gigabytes(needed.largestBuffer),
-                       room.deviceName, gigabytes(room.largestBuffer));
+                       capacity.deviceName, gigabytes(capacity.largestBuffer));
   }
-  if (needed.mostBound > room.mostBound) {
+  if (needed.mostBound > capacity.mostBound) {
     return fmt::format("{} of one buffer at a time, {} reaches {} at most",
-                       gigabytes(needed.mostBound), room.deviceName, gigabytes(room.mostBound));
+                       gigabytes(needed.mostBound), capacity.deviceName,
+                       gigabytes(capacity.mostBound));
   }
-  if (vertexCount(shape) > double(room.mostVertices)) {
+  if (vertexCount(shape) > double(capacity.mostVertices)) {
     return fmt::format("more than the {} invocations that {} can be asked for at once",
-                       room.mostVertices, room.deviceName);
+                       capacity.mostVertices, capacity.deviceName);
   }
-  if (static_cast<std::uint64_t>(shape.verticesU) > room.mostVerticesU ||
-      static_cast<std::uint64_t>(shape.verticesV) > room.mostVerticesV) {
+  if (static_cast<std::uint64_t>(shape.verticesU) > capacity.mostVerticesU ||
+      static_cast<std::uint64_t>(shape.verticesV) > capacity.mostVerticesV) {
     return fmt::format("more than the {} x {} vertices a layer that {} can be asked for at once",
-                       room.mostVerticesU, room.mostVerticesV, room.deviceName);
+                       capacity.mostVerticesU, capacity.mostVerticesV, capacity.deviceName);
   }
   return "";
 }
@@ -68,19 +71,19 @@ GridShape scaled(const GridShape& shape, int nodesLong) {
   return {vertices(nodesU), vertices(nodesV), shape.layers};
 }
 
-GridShape largestThatFits(const GridShape& shape, Method method, const SolveRoom& room) {
+GridShape largestThatFits(const GridShape& shape, Method method, const DeviceCapacity& capacity) {
   int fits = 1;
   int tooMany = std::max(shape.verticesU, shape.verticesV) - 1;
   while (tooMany - fits > 1) {
     const int middle = fits + (tooMany - fits) / 2;
-    (whatIsLacking(scaled(shape, middle), method, room).empty() ? fits : tooMany) = middle;
+    (describeShortfall(scaled(shape, middle), method, capacity).empty() ? fits : tooMany) = middle;
   }
   return scaled(shape, fits);
 }
 
 }  // namespace
 
-SolveRoom roomOn(const Device& device) {
+DeviceCapacity capacityOf(const Device& device) {
   const vk::PhysicalDeviceLimits& limits = device.limits();
   const auto maintenance =
       device.physical()
@@ -98,20 +101,20 @@ SolveRoom roomOn(const Device& device) {
           limits.maxComputeWorkGroupCount[1]};
 }
 
-std::optional<std::string> whyTooLarge(const GridShape& shape, Method method,
-                                       const SolveRoom& room) {
+std::optional<std::string> explainOverflow(const GridShape& shape, Method method,
+                                           const DeviceCapacity& capacity) {
   if (method == Method::reference) {
     return std::nullopt;
   }
-  const std::string lacking = whatIsLacking(shape, method, room);
-  if (lacking.empty()) {
+  const std::string shortfall = describeShortfall(shape, method, capacity);
+  if (shortfall.empty()) {
     return std::nullopt;
   }
-  const GridShape largest = largestThatFits(shape, method, room);
+  const GridShape largest = largestThatFits(shape, method, capacity);
   return fmt::format(
       "a grid of {} x {} nodes in {} layers ({:.0f} vertices) needs {}; {} x {} nodes ({:.0f} "
       "vertices) would fit: set {} along the longer edge",
-      shape.verticesU - 1, shape.verticesV - 1, shape.layers, vertexCount(shape), lacking,
+      shape.verticesU - 1, shape.verticesV - 1, shape.layers, vertexCount(shape), shortfall,
       largest.verticesU - 1, largest.verticesV - 1, vertexCount(largest),
       std::max(largest.verticesU, largest.verticesV) - 1);
 }
