@@ -6,6 +6,7 @@
 #include <map>
 
 #include "core/atomic_file.h"
+#include "core/create_folder.h"
 #include "core/error.h"
 #include "core/interrupt.h"
 #include "render/font.h"
@@ -43,19 +44,10 @@ void requireMorph(const Scene& scene, const SceneDesign& designed, const FilmOpt
   }
 }
 
-void makeFolder(const std::filesystem::path& folder) {
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (error) {
-    throw InputError(
-        fmt::format("{}: the folder cannot be made: {}", folder.string(), error.message()));
-  }
-}
-
 /// What cannot be written is told before the solve.
 void requireWritable(const std::filesystem::path& file) {
   if (file.has_parent_path()) {
-    makeFolder(file.parent_path());
+    createFolder(file.parent_path(), file.parent_path().string());
   }
   const PendingFile probe(file);
   if (std::filesystem::is_directory(file) || !std::ofstream(probe.path())) {

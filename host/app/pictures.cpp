@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "core/bounding_diagonal.h"
 #include "grid/build_grids.h"
 #include "grid/shrink.h"
 #include "render/draw_sampling.h"
@@ -72,7 +73,7 @@ void Pictures::drawDistance(const PlacedGrid& result, const DeviceGrid& target,
                             const Camera& camera) const {
   const Eigen::VectorXd distances = (alignedMiddle - targets).colwise().norm();
   const double largest = distances.maxCoeff();
-  const double diagonal = (targets.rowwise().maxCoeff() - targets.rowwise().minCoeff()).norm();
+  const double diagonal = boundingDiagonal(targets);
   show_("distance", {drawSurfaceShares(device_, result, distances / (largest > 0 ? largest : 1),
                                        {target, Eigen::Isometry3d::Identity()}, camera, size_.width,
                                        size_.height),

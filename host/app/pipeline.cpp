@@ -7,7 +7,7 @@
 #include "app/device_capacity.h"
 #include "app/simulate_scene.h"
 #include "core/atomic_file.h"
-#include "core/error.h"
+#include "core/create_folder.h"
 #include "export/gltf.h"
 #include "export/surface_files.h"
 #include "export/vtu.h"
@@ -19,15 +19,6 @@ namespace morphgrid {
 namespace {
 
 constexpr int kSurfaceRefinement = 4;  // Cells per grid cell, along u and v, of the surface files.
-
-void createFolder(const std::filesystem::path& folder) {
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (error) {
-    throw InputError(
-        fmt::format("--out {}: the folder cannot be made: {}", folder.string(), error.message()));
-  }
-}
 
 void writePicture(const std::filesystem::path& path, const Panel& panel, PictureOptions options) {
   options.caption = panel.caption;
@@ -99,7 +90,7 @@ RunRecord runScene(const Scene& scene, const RunOptions& options) {
   if (scene.solve.stopRequested()) {
     throw Cancelled();
   }
-  createFolder(folder);
+  createFolder(folder, "--out " + folder.string());
   Simulation simulation = simulateScene(scene, designed, context, keeper, options.quiet);
   context.requireSilence();
   RunRecord& record = simulation.record;

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "core/bounding_diagonal.h"
 #include "core/rigid_alignment.h"
 
 namespace morphgrid {
@@ -12,7 +13,7 @@ ShapeError computeShapeError(const GridShape& shape, const Matrix3Xd& positions,
                              const Matrix3Xd& targets) {
   const Matrix3Xd middle = middleLayer(shape, positions);
   const Matrix3Xd offsets = middle - alignRigidly(targets, middle) * targets;
-  const double diagonal = (targets.rowwise().maxCoeff() - targets.rowwise().minCoeff()).norm();
+  const double diagonal = boundingDiagonal(targets);
   ShapeError error{0.5 * offsets.squaredNorm(),
                    100 / diagonal * std::sqrt(offsets.colwise().squaredNorm().mean()),
                    100 / diagonal * std::sqrt(offsets.colwise().squaredNorm().maxCoeff()),

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/bounding_diagonal.h"
 #include "core/rigid_alignment.h"
 #include "grid/surface_mesh.h"
 #include "solve/energy.h"
@@ -87,7 +88,7 @@ StrutErrors computeStrutErrors(const GridDesign& design, const StrutGrid& grid,
 TargetDistance computeTargetDistance(const Matrix3Xd& middle, const Matrix3Xd& targets,
                                      const ClosestPointQuery& closestPoints) {
   const Matrix3Xd aligned = alignRigidly(middle, targets) * middle;
-  const double diagonal = (targets.rowwise().maxCoeff() - targets.rowwise().minCoeff()).norm();
+  const double diagonal = boundingDiagonal(targets);
   const Eigen::VectorXd parametric = 100 / diagonal * (aligned - targets).colwise().norm();
   Eigen::VectorXd closest(aligned.cols());
   for (Eigen::Index n = 0; n < aligned.cols(); ++n) {

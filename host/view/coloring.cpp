@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cassert>
 
+#include "core/bounding_diagonal.h"
 #include "grid/shrink.h"
 #include "shared/share_color.h"
 
@@ -80,7 +81,7 @@ ColorShares computeColors(Coloring coloring, const ShownGrid& shown, const Snaps
   const Eigen::Matrix3Xd& targets = *snapshot.targets;
   const Eigen::VectorXd distances = targetDistances(shown, targets);
   const double largest = distances.maxCoeff();
-  const double diagonal = (targets.rowwise().maxCoeff() - targets.rowwise().minCoeff()).norm();
+  const double diagonal = boundingDiagonal(targets);
   const Eigen::VectorXd columns = distances / (largest > 0 ? largest : 1);
   return {strutShares(shape, columns), columns, distanceLegend(largest, 100 * largest / diagonal)};
 }
