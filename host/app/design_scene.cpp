@@ -171,6 +171,7 @@ RunRecord recordOf(const Scene& scene, const SceneDesign& designed) {
   record.method = nameOf(scene.method);
   record.scaling = nameOf(scene.scaling);
   record.grid = {{design.nodesU + 1, design.nodesV + 1, design.layers},
+                 design.spacing,
                  design.layerSpacing,
                  100 * largestBendShrink(design)};
   record.measurement = designed.measurement;

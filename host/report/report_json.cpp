@@ -107,13 +107,10 @@ ordered_json toJson(const NetFigures& n) {
 }
 
 ordered_json toJson(const GridFigures& g) {
-  return {{"nodes_u", g.shape.verticesU - 1},
-          {"nodes_v", g.shape.verticesV - 1},
-          {"layers", g.shape.layers},
-          {"layer_spacing", g.layerSpacing},
-          {"vertices", g.shape.vertexCount()},
-          {"struts", g.shape.strutCount()},
-          {"bend_shrink_percent", g.bendShrinkPercent}};
+  return {{"nodes_u", g.shape.verticesU - 1}, {"nodes_v", g.shape.verticesV - 1},
+          {"layers", g.shape.layers},         {"spacing", g.spacing},
+          {"layer_spacing", g.layerSpacing},  {"vertices", g.shape.vertexCount()},
+          {"struts", g.shape.strutCount()},   {"bend_shrink_percent", g.bendShrinkPercent}};
 }
 
 ordered_json toJson(const StrutErrors& e) {

@@ -59,7 +59,8 @@ struct NetFigures {
 /// The grid that the design chose.
 struct GridFigures {
   GridShape shape;
-  double layerSpacing;
+  double spacing;            ///< Of the cells of the printed sheet, in the scene's unit of length.
+  double layerSpacing;       ///< tau, the same.
   double bendShrinkPercent;  ///< The largest shrink between layers that the design asks for.
 };
 

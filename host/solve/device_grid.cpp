@@ -1,9 +1,13 @@
 #include "solve/device_grid.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <limits>
 
+#include "core/error.h"
 #include "gpu/command_stream.h"
 #include "shared/solver_types.h"
 #include "solve/energy.h"
@@ -12,6 +16,8 @@ namespace morphgrid {
 namespace {
 
 constexpr int kFinestResolutionBits = 24;  // Floats hold differences of a spacing exactly.
+// In steps of the resolution: what 32 bits hold, rounding included.
+constexpr double kLargestCoordinate = std::numeric_limits<std::int32_t>::max() - 1;
 
 const StrutGrid& validated(const StrutGrid& grid) {
   validate(grid);
@@ -121,7 +127,14 @@ DeviceGrid::DeviceGrid(const Device& device, const StrutGrid& grid)
 void DeviceGrid::uploadPositions(const Eigen::Matrix3Xd& positions) {
   std::vector<ivec4> packed(positions.cols());
   for (Eigen::Index n = 0; n < positions.cols(); ++n) {
-    packed[n] = encode((positions.col(n) - origin_) / (spacing_ * resolution_));
+    const Eigen::Vector3d steps = (positions.col(n) - origin_) / (spacing_ * resolution_);
+    if (!(steps.cwiseAbs().maxCoeff() <= kLargestCoordinate)) {
+      throw InputError(fmt::format(
+          "vertex {} lies {:.3g} spacings from the grid's middle, beyond the {:.3g} that "
+          "the device's positions reach",
+          n, steps.norm() * resolution_, kLargestCoordinate * resolution_));
+    }
+    packed[n] = encode(steps);
   }
   upload(device_, positions_, packed);
   upload(device_, previousPositions_, packed);

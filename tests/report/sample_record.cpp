@@ -12,7 +12,7 @@ RunRecord sampleRecord() {
   record.scaling = "normalised";
   record.device = "some device";
   record.secondsTotal = 1.5;
-  record.grid = {{18, 21, 3}, 0.3, 30.9};
+  record.grid = {{18, 21, 3}, 0.7, 0.3, 30.9};
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   record.measurement = {12.02, 14.84, 0.52, kInfinity, 4};
   record.measurement->cutoffs = {{0.5, 0, kInfinity, 1}, {0.95, 0.4785, 0.418, 1e12}};

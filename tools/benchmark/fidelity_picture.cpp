@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "core/bounding_diagonal.h"
 #include "grid/build_grids.h"
 #include "render/draw_shares.h"
 #include "render/sheet.h"
@@ -19,10 +20,6 @@ Eigen::Matrix3Xd allPoints(const FidelityPair& pair) {
   Eigen::Matrix3Xd points(3, 2 * (pair.papers.middle.cols() + pair.ours.middle.cols()));
   points << pair.papers.middle, pair.papers.targets, pair.ours.middle, pair.ours.targets;
   return points;
-}
-
-double diagonalOf(const Eigen::Matrix3Xd& points) {
-  return (points.rowwise().maxCoeff() - points.rowwise().minCoeff()).norm();
 }
 
 /// Draws the panels of a sheet.
@@ -45,7 +42,7 @@ class FidelityPanels {
   Panel design(const char* whose, const FidelityRun& run) const {
     const DeviceGrid grid(device_, layerOf(run, run.middle));
     const DeviceGrid target(device_, layerOf(run, run.targets));
-    const double largest = largestPercent_ / 100 * diagonalOf(run.targets);
+    const double largest = largestPercent_ / 100 * boundingDiagonal(run.targets);
     const Eigen::VectorXd distances = (run.middle - run.targets).colwise().norm();
     return {drawSurfaceShares(device_, {grid, kInPlace}, distances / largest, {target, kInPlace},
                               camera_, size_.width, size_.height),
@@ -56,7 +53,7 @@ class FidelityPanels {
 
  private:
   static StrutGrid layerOf(const FidelityRun& run, const Eigen::Matrix3Xd& points) {
-    return layerAtRest(run.record.grid.shape, run.record.grid.layerSpacing, points);
+    return layerAtRest(run.record.grid.shape, run.record.grid.spacing, points);
   }
 
   const Device& device_;
