@@ -70,8 +70,9 @@ class BinaryFileTest : public testing::Test {
 };
 
 TEST_F(BinaryFileTest, KeepsEveryBit) {
-  writeBinaryFile(file(), kFormat, written(sample()));
-  EXPECT_TRUE(readBinaryFile(file(), kFormat, take) == sample());
+  const Sample original = sample();
+  writeBinaryFile(file(), kFormat, written(original));
+  EXPECT_TRUE(readBinaryFile(file(), kFormat, take) == original);
   EXPECT_TRUE(isBinaryFile(file(), kFormat));
   EXPECT_FALSE(isBinaryFile(file(), {"other", 7, ""}));
   EXPECT_EQ(folder_.fileCount(), 1);
