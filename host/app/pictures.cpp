@@ -5,8 +5,8 @@
 #include <algorithm>
 
 #include "core/bounding_diagonal.h"
-#include "grid/build_grids.h"
 #include "grid/shrink.h"
+#include "grid/strut_grid.h"
 #include "render/draw_sampling.h"
 #include "render/font.h"
 #include "render/sampling_layout.h"

@@ -7,7 +7,7 @@
 
 #include "app/mesh_target.h"
 #include "design/grid_design.h"
-#include "grid/build_grids.h"
+#include "design/build_grids.h"
 #include "report/run_record.h"
 #include "solve/equilibrium.h"
 #include "surface/surface.h"

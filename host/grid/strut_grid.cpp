@@ -97,6 +97,16 @@ void validate(const StrutGrid& grid) {
   }
 }
 
+StrutGrid layerAtRest(const GridShape& shape, double spacing, const Eigen::Matrix3Xd& points) {
+  const GridShape layer{shape.verticesU, shape.verticesV, 1};
+  StrutGrid grid{layer, spacing, points, StrutValues(layer), StrutValues(layer), 1.0};
+  for (const Strut& strut : listStruts(layer)) {
+    valueAt(grid.rest, strut) = (points.col(strut.to) - points.col(strut.from)).norm();
+    valueAt(grid.stiffness, strut) = 1;
+  }
+  return grid;
+}
+
 Eigen::Matrix3Xd middleLayer(const GridShape& shape, const Eigen::Matrix3Xd& positions) {
   const int count = shape.layerVertexCount();
   const int below = (shape.layers - 1) / 2;

@@ -59,6 +59,10 @@ double& valueAt(StrutValues& values, const Strut& strut);
 /// stiffness of a strut is not positive, or neighbours start at the same place.
 void validate(const StrutGrid& grid);
 
+/// A layer of shape.verticesU x verticesV vertices whose struts rest where they are: makes a target
+/// something that is drawn like a result. points: one column a vertex; spacing as of StrutGrid.
+StrutGrid layerAtRest(const GridShape& shape, double spacing, const Eigen::Matrix3Xd& points);
+
 /// The layer that stands for the surface: the middle one, or the mean of the middle two.
 /// Returns layerVertexCount columns.
 Eigen::Matrix3Xd middleLayer(const GridShape& shape, const Eigen::Matrix3Xd& positions);

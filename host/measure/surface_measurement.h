@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "core/cancellation.h"
-#include "core/lateral_field.h"
+#include "grid/lateral_field.h"
 #include "surface/surface.h"
 
 namespace morphgrid {

@@ -5,7 +5,7 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
-#include "grid/build_grids.h"
+#include "design/build_grids.h"
 
 namespace morphgrid {
 namespace {

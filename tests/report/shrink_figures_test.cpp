@@ -2,7 +2,7 @@
 
 #include <gmock/gmock.h>
 
-#include "grid/build_grids.h"
+#include "design/build_grids.h"
 
 namespace morphgrid {
 namespace {

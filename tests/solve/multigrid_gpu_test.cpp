@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "grid/build_grids.h"
+#include "design/build_grids.h"
 #include "solve/multigrid_solver.h"
 #include "solve/reference_solver.h"
 #include "solve/solve_memory.h"

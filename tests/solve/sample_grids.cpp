@@ -3,7 +3,7 @@
 #include <Eigen/Geometry>
 #include <random>
 
-#include "grid/build_grids.h"
+#include "design/build_grids.h"
 
 namespace morphgrid {
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "core/bounding_diagonal.h"
-#include "grid/build_grids.h"
+#include "grid/strut_grid.h"
 #include "render/draw_shares.h"
 #include "render/sheet.h"
 #include "render/strain_renderer.h"

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "grid/build_grids.h"
+#include "design/build_grids.h"
 
 namespace morphgrid {
 

@@ -1,4 +1,4 @@
-#include "grid/build_grids.h"
+#include "design/build_grids.h"
 
 #include <cmath>
 
@@ -66,16 +66,6 @@ StrutGrid stackedGrid(const GridDesign& design, const Weights& weights, Scaling 
     grid.rest.w[index] = design.layerSpacing;
   }
   setStiffness(grid, weights, scaling);
-  return grid;
-}
-
-StrutGrid layerAtRest(const GridShape& shape, double spacing, const Eigen::Matrix3Xd& points) {
-  const GridShape layer{shape.verticesU, shape.verticesV, 1};
-  StrutGrid grid{layer, spacing, points, StrutValues(layer), StrutValues(layer), 1.0};
-  for (const Strut& strut : listStruts(layer)) {
-    valueAt(grid.rest, strut) = (points.col(strut.to) - points.col(strut.from)).norm();
-    valueAt(grid.stiffness, strut) = 1;
-  }
   return grid;
 }
 

@@ -24,8 +24,4 @@ StrutGrid inPlaneGrid(const GridDesign& design, const Weights& weights, Scaling 
 StrutGrid stackedGrid(const GridDesign& design, const Weights& weights, Scaling scaling,
                       const Eigen::Matrix3Xd& printedLayer);
 
-/// A layer of shape.verticesU x verticesV vertices whose struts rest where they are: makes a target
-/// something that is drawn like a result. points: one column a vertex; spacing as of StrutGrid.
-StrutGrid layerAtRest(const GridShape& shape, double spacing, const Eigen::Matrix3Xd& points);
-
 }  // namespace morphgrid
