@@ -39,9 +39,6 @@ int chooseRefinement(const GridShape& shape, int mostQuads) {
                     kFinestRefinement);
 }
 
-/// Of `count` vertices every stride-th, and the last.
-int drawnCount(int count, int stride) { return (count - 2) / stride + 2; }
-
 }  // namespace
 
 TexelView texelsOf(const Device& device, const Buffer& buffer) {
@@ -69,9 +66,7 @@ StrutPush strutPush(const DeviceGrid& grid, const LocalView& view) {
   push.halfWidth = static_cast<float>(chooseHalfWidth(shape));
   push.towardsLight = view.towardsLight;
   push.resolution = static_cast<float>(grid.resolution());
-  push.verticesU = shape.verticesU;
-  push.verticesV = shape.verticesV;
-  push.layers = shape.layers;
+  push.size = sizeOf(shape);
   push.restResolution = static_cast<float>(grid.restResolution());
   push.pixelSize = view.pixelSize;
   push.stride = 1;
@@ -94,18 +89,16 @@ SurfacePush surfacePush(const DeviceGrid& grid, const LocalView& view,
   push.towardsLight = view.towardsLight;
   push.stride =
       mostQuads ? static_cast<int>(std::ceil(std::sqrt(cellCount(shape) / *mostQuads))) : 1;
-  push.verticesU = shape.verticesU;
-  push.verticesV = shape.verticesV;
-  push.drawnU = drawnCount(shape.verticesU, push.stride);
-  push.drawnV = drawnCount(shape.verticesV, push.stride);
-  push.refine = chooseRefinement({push.drawnU, push.drawnV, 1}, mostQuads.value_or(kSmoothQuads));
-  push.layers = shape.layers;
-  push.isolineStride = 1 + std::max(push.drawnU, push.drawnV) / kMostIsolines;
+  push.size = sizeOf(shape);
+  push.drawnSize = thinnedSize(push.size, push.stride);
+  push.refine =
+      chooseRefinement({push.drawnSize.x, push.drawnSize.y, 1}, mostQuads.value_or(kSmoothQuads));
+  push.isolineStride = 1 + std::max(push.drawnSize.x, push.drawnSize.y) / kMostIsolines;
   return push;
 }
 
 uint surfaceVertexCount(const SurfacePush& push) {
-  const int quads = (push.drawnU - 1) * (push.drawnV - 1) * push.refine * push.refine;
+  const int quads = (push.drawnSize.x - 1) * (push.drawnSize.y - 1) * push.refine * push.refine;
   return kVerticesPerQuad * static_cast<uint>(quads);
 }
 

@@ -67,9 +67,6 @@ std::vector<glm::vec4> shareTexels(const StrutValues& struts, const Eigen::Vecto
   return texels;
 }
 
-/// Of `count` vertices every stride-th, and the last.
-int drawnVertices(int count, int stride) { return (count - 2) / stride + 2; }
-
 }  // namespace
 
 StrutShares::StrutShares(const Device& device, const StrutValues& struts,
@@ -150,8 +147,9 @@ void GridPainter::drawStruts(const vk::raii::CommandBuffer& commands,
   GridShape drawn = resources.grid_.shape();
   if (look.style == StrutStyle::lines) {
     push.stride = look.stride;
-    drawn.verticesU = drawnVertices(drawn.verticesU, look.stride);
-    drawn.verticesV = drawnVertices(drawn.verticesV, look.stride);
+    const ivec2 lattice = thinnedSize(push.size, look.stride);
+    drawn.verticesU = lattice.x;
+    drawn.verticesV = lattice.y;
   }
   pipeline.bind(commands, set);
   const std::array<int, 3> counts = strutCounts(drawn);

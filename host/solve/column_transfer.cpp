@@ -52,9 +52,7 @@ PointKernel ColumnTransfer::kernel(ShaderCode spirv, std::vector<KernelResource>
 ColumnPush ColumnTransfer::push(double damping) const {
   const GridShape& shape = grid_.shape();
   // Stiffnesses are loaded: no uniform ones.
-  const GridPush grid{shape.verticesU,
-                      shape.verticesV,
-                      shape.layers,
+  const GridPush grid{sizeOf(shape),
                       static_cast<float>(grid_.resolution()),
                       static_cast<float>(grid_.restResolution()),
                       static_cast<float>(grid_.angleWeight()),

@@ -34,11 +34,8 @@ std::vector<std::uint32_t> ColumnWalk::constants(const std::vector<std::uint32_t
 }
 
 GridPush ColumnWalk::push() const {
-  const GridShape& shape = grid_.shape();
   const auto stiffness = grid_.uniformStiffness().value_or(UniformStiffness{});
-  return {shape.verticesU,
-          shape.verticesV,
-          shape.layers,
+  return {sizeOf(grid_.shape()),
           static_cast<float>(grid_.resolution()),
           static_cast<float>(grid_.restResolution()),
           static_cast<float>(grid_.angleWeight()),

@@ -105,6 +105,8 @@ std::vector<vec4> packStiffness(const StrutValues& stiffness) {
 
 }  // namespace
 
+ivec3 sizeOf(const GridShape& shape) { return {shape.verticesU, shape.verticesV, shape.layers}; }
+
 DeviceGrid::DeviceGrid(const Device& device, const StrutGrid& grid)
     : device_(device),
       shape_(validated(grid).shape),

@@ -1,5 +1,6 @@
 #pragma once
 #include "gpu/command_stream.h"
+#include "shared/topology.h"
 #include "solve/kernel_family.h"
 
 namespace morphgrid {
@@ -12,6 +13,9 @@ struct PointGrid {
   int count() const { return u * v; }
   bool operator==(const PointGrid&) const = default;
 };
+
+/// As shaders know it: shared/topology.h.
+inline ivec2 sizeOf(PointGrid points) { return {points.u, points.v}; }
 
 /// Chunks begin at every so many rows: with 16 bytes a point or a multiple, any device binds there.
 constexpr int kChunkRows = 16;

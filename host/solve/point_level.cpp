@@ -140,7 +140,7 @@ PointKernel PointLevel::smoothingKernel(PointKernels& kernels) const {
 }
 
 SmoothingPush PointLevel::push() const {
-  return {points_.u, points_.v, static_cast<float>(smoothingWeight_), 0};
+  return {sizeOf(points_), static_cast<float>(smoothingWeight_), 0};
 }
 
 void PointLevel::recordInversion(CommandStream& stream) const { inversion_.record(stream, push()); }

@@ -42,12 +42,7 @@ PointTransfer::PointTransfer(const Device& device, PointKernels& kernels, const 
                      {kBindingFineResult, &fine.iterate().buffer()}}) {}
 
 TransferPush PointTransfer::push() const {
-  return {fine_.points().u,
-          fine_.points().v,
-          coarse_.points().u,
-          coarse_.points().v,
-          static_cast<float>(resolution_),
-          0};
+  return {sizeOf(fine_.points()), sizeOf(coarse_.points()), static_cast<float>(resolution_), 0};
 }
 
 void PointTransfer::recordCentres(CommandStream& stream) const {

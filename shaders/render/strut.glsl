@@ -2,6 +2,7 @@
 // Location 0 is for what the colour shows.
 #include "shared/render_types.h"
 #include "shared/solver_types.h"
+#include "shared/topology.h"
 #include "solve/edge.glsl"
 
 layout(binding = kBindingPositions) uniform isamplerBuffer positions;
@@ -17,17 +18,16 @@ struct Strut {
 };
 
 ivec3 latticeOf(int strut) {
-  ivec3 count = ivec3(push.verticesU, push.verticesV, push.layers);
-  count[push.direction] -= 1;
+  ivec3 count = push.size - unitStep(push.direction);
   return ivec3(strut % count.x, strut / count.x % count.y, strut / (count.x * count.y));
 }
 
 Strut strutAt(int n) {
   ivec3 lattice = latticeOf(n);
-  ivec3 strides = ivec3(1, push.verticesU, push.verticesU * push.verticesV);
-  int index = lattice.x + lattice.y * strides.y + lattice.z * strides.z;
+  int index = vertexIndex(push.size, lattice);
   ivec4 from = texelFetch(positions, index);
-  ivec4 to = texelFetch(positions, index + strides[push.direction]);
+  ivec4 to =
+      texelFetch(positions, vertexIndex(push.size, neighbour(lattice, push.direction, 1)));
   return Strut(lattice, index, vec3(from.xyz) * push.resolution,
                armBetween(from, to, push.resolution));
 }

@@ -7,10 +7,10 @@
 layout(binding = kBindingRest) uniform isamplerBuffer restLengths;
 
 void main() {
-  int index = placeEnd();
-  ivec3 strides = ivec3(1, push.verticesU, push.verticesU * push.verticesV);
-  vec3 arm = armBetween(texelFetch(positions, index),
-                        texelFetch(positions, index + strides[push.direction]), push.resolution);
+  ivec3 from = placeEnd();
+  int index = vertexIndex(push.size, from);
+  int end = vertexIndex(push.size, neighbour(from, push.direction, 1));
+  vec3 arm = armBetween(texelFetch(positions, index), texelFetch(positions, end), push.resolution);
   int rest = texelFetch(restLengths, index)[push.direction];
   lineColor = strainColor(lengthExcess(dot(arm, arm), rest, push.restResolution) /
                           (float(rest) * push.restResolution));

@@ -6,4 +6,7 @@
 
 layout(binding = kBindingShares) uniform samplerBuffer shares;
 
-void main() { lineColor = shareColor(texelFetch(shares, placeEnd())[push.direction]); }
+void main() {
+  int index = vertexIndex(push.size, placeEnd());
+  lineColor = shareColor(texelFetch(shares, index)[push.direction]);
+}

@@ -1,6 +1,7 @@
 // The Catmull-Rom surface through the middle layer: two triangles of a quad of its refined lattice.
 #include "shared/render_types.h"
 #include "shared/solver_types.h"
+#include "shared/topology.h"
 #include "render/catmull_rom.glsl"
 
 layout(binding = kBindingPositions) uniform isamplerBuffer positions;
@@ -38,29 +39,34 @@ Spline splineAt(int sampleIndex, int count) {
                 withinLattice(tangentWeights(t), segment, count));
 }
 
+// The column at a point of the drawn lattice. Points beyond weigh nothing.
+ivec2 columnAt(ivec2 drawn) {
+  return thinnedPoint(push.size.xy, push.stride, nearestPoint(push.drawnSize, drawn));
+}
+
+vec3 pointAt(ivec3 vertex) {
+  return vec3(texelFetch(positions, vertexIndex(push.size, vertex)).xyz);
+}
+
 // Of the middle layer, or of the middle two.
-vec3 middlePoint(ivec2 lattice) {
-  ivec2 drawnLast = ivec2(push.drawnU, push.drawnV) - 1;
-  lattice = clamp(lattice, ivec2(0), drawnLast);  // Points beyond weigh nothing.
-  lattice = min(lattice * push.stride, ivec2(push.verticesU, push.verticesV) - 1);
-  int layerLength = push.verticesU * push.verticesV;
-  int index = lattice.y * push.verticesU + lattice.x;
-  vec3 upper = vec3(texelFetch(positions, index + push.layers / 2 * layerLength).xyz);
-  if (push.layers % 2 == 0) {
-    vec3 lower = vec3(texelFetch(positions, index + (push.layers / 2 - 1) * layerLength).xyz);
-    upper = 0.5 * (lower + upper);
+vec3 middlePoint(ivec2 drawn) {
+  ivec2 column = columnAt(drawn);
+  int layers = push.size.z;
+  vec3 upper = pointAt(ivec3(column, layers / 2));
+  if (layers % 2 == 0) {
+    upper = 0.5 * (pointAt(ivec3(column, layers / 2 - 1)) + upper);
   }
   return upper * push.resolution;
 }
 
 // Its place in the refined lattice.
 ivec2 placeVertex() {
-  int quadsU = (push.drawnU - 1) * push.refine;
+  int quadsU = (push.drawnSize.x - 1) * push.refine;
   int quad = gl_VertexIndex / int(kVerticesPerQuad);
   ivec2 lattice =
       ivec2(quad % quadsU, quad / quadsU) + kCorners[gl_VertexIndex % int(kVerticesPerQuad)];
-  Spline u = splineAt(lattice.x, push.drawnU);
-  Spline v = splineAt(lattice.y, push.drawnV);
+  Spline u = splineAt(lattice.x, push.drawnSize.x);
+  Spline v = splineAt(lattice.y, push.drawnSize.y);
 
   point = vec3(0);
   vec3 alongU = vec3(0), alongV = vec3(0);

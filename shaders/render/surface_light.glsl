@@ -27,7 +27,7 @@ float isolineCoverage(vec2 pixelStep) {
 
 float borderCoverage(vec2 pixelStep) {
   // Negative where the pixel's centre lies outside.
-  vec2 last = vec2(push.drawnU, push.drawnV) - 1;
+  vec2 last = vec2(push.drawnSize - 1);
   vec2 nearest = min(parameter, last - parameter) / pixelStep;
   return coverage(min(nearest.x, nearest.y), kBorderHalfWidth);
 }

@@ -23,12 +23,6 @@ vec3 sideOf(Strut strut, vec3 axis) {
   return sideways / max(length(sideways), 1e-20);
 }
 
-// Inside a layer tubes cross at every vertex, and hide each other's ends.
-bool isOnBorder(ivec3 vertex) {
-  ivec2 last = ivec2(push.verticesU, push.verticesV) - 1;
-  return any(equal(vertex.xy, ivec2(0))) || any(equal(vertex.xy, last));
-}
-
 Strut placeCorner() {
   Strut strut = strutAt(gl_VertexIndex / int(kVerticesPerTube));
   int place = gl_VertexIndex % int(kVerticesPerTube);
@@ -42,7 +36,8 @@ Strut placeCorner() {
   float angle = kSideAngle * float(place / int(kVerticesPerTubeSide) + corner.y);
   vec3 side = sideOf(strut, axis);
   normal = cos(angle) * side + sin(angle) * cross(axis, side);
-  if (corner.x != int(atEnd) && isOnBorder(vertex)) {
+  // Inside a layer tubes cross at every vertex, and hide each other's ends.
+  if (corner.x != int(atEnd) && isOnBorder(push.size, vertex.xy)) {
     normal = atEnd ? axis : -axis;
   }
   float radius = halfWidthAt(centre);

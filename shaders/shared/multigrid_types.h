@@ -1,6 +1,6 @@
 // Compiles as GLSL and as C++: what the host and the kernels of the coarse levels of multigrid
 // agree on. An unknown of a coarse level is a point's rigid motion (t, w): u(x) = t + w x (x -
-// centre). Points are numbered j pointsU + i. Level 1 has one point per column of vertices.
+// centre). Level 1 has one point per column of vertices.
 #ifndef MORPHGRID_MULTIGRID_TYPES_H
 #define MORPHGRID_MULTIGRID_TYPES_H
 #include "shared/hessian_types.h"
@@ -39,17 +39,14 @@ CONSTANT uint kBindingLevers = 60u;           // texels or buffer, ivec4 a point
 CONSTANT uint kBindingCoarsestInverse = 61u;  // texels, see coarsest_solve.comp
 
 struct SmoothingPush {
-  int pointsU;
-  int pointsV;
+  ivec2 size;    // Points, see topology.h; so below.
   float weight;  // omega
   int firstRow;  // Of the points dispatched, see point_rows.glsl; so below.
 };
 
 struct TransferPush {
-  int fineU;
-  int fineV;
-  int coarseU;
-  int coarseV;
+  ivec2 fineSize;
+  ivec2 coarseSize;
   float resolution;  // Spacings per step of the fixed-point positions.
   int firstRow;
 };

@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <glm/glm.hpp>
 namespace morphgrid {
+using glm::ivec2;
+using glm::ivec3;
 using glm::mat4;
 using glm::vec3;
 using uint = std::uint32_t;
@@ -42,13 +44,11 @@ CONSTANT uint kBindingShares = 4u;
 
 struct StrutPush {
   mat4 clipFromLocal;
-  vec3 eye;           // local
-  float halfWidth;    // of a strut, in spacings
-  vec3 towardsLight;  // local, unit length
-  float resolution;   // Spacings per step of the fixed-point positions.
-  int verticesU;
-  int verticesV;
-  int layers;
+  vec3 eye;              // local
+  float halfWidth;       // of a strut, in spacings
+  vec3 towardsLight;     // local, unit length
+  float resolution;      // Spacings per step of the fixed-point positions.
+  ivec3 size;            // Of the grid, see topology.h.
   int direction;         // 0, 1, 2: the struts to +u, +v, +w.
   float restResolution;  // Spacings per step of the fixed-point rest lengths.
   float pixelSize;       // What a pixel covers at a distance of 1.
@@ -61,13 +61,10 @@ struct SurfacePush {
   float resolution;   // Spacings per step of the fixed-point positions.
   vec3 towardsLight;  // local, unit length
   int refine;         // Quads along each side of a drawn cell.
-  int verticesU;
-  int verticesV;
-  int layers;
+  ivec3 size;         // Of the grid, see topology.h.
   int isolineStride;  // Drawn cells from one isoline to the next.
-  int stride;         // It goes through every n-th vertex along u and v, and the last.
-  int drawnU;         // Such vertices.
-  int drawnV;
+  ivec2 drawnSize;    // Of the lattice of every n-th vertex along u and v, and the last.
+  int stride;         // n
 };
 
 // Local coordinates here are about the middle of the sampled box, whose diagonal is 1.

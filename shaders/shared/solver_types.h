@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <glm/glm.hpp>
 namespace morphgrid {
+using glm::ivec2;
+using glm::ivec3;
 using glm::ivec4;
 using glm::uvec4;
 using glm::vec4;
@@ -50,9 +52,7 @@ CONSTANT uint kBindingSamples = 6u;   // buffer, SolverSample
 // What every walk through the columns (columns.glsl) needs. Lengths are in units of the spacing,
 // energies in stiffness x spacing^2.
 struct GridPush {
-  int verticesU;
-  int verticesV;
-  int layers;
+  ivec3 size;            // Of the grid, see topology.h.
   float resolution;      // Spacings per step of the fixed-point positions, a power of two.
   float restResolution;  // Spacings per step of the fixed-point rest lengths, a power of two.
   float angleWeight;

@@ -18,7 +18,7 @@ ivec2 point;
 ivec4 centre, eastCentre, northCentre, northEastCentre, northWestCentre;
 
 ivec4 centreOf(ivec2 offset) {
-  return imageLoad(coarseCentres, nearestIndex(point + offset, coarseSize));
+  return imageLoad(coarseCentres, coarseIndex(point + offset));
 }
 
 // A fine block, its row already the coarse point's, becomes a part of a coarse one.
@@ -28,13 +28,13 @@ void addBlock(inout Block sum, Block a, ivec2 fine, ivec4 lever, ivec2 offset, i
 
 void addRow(inout Stencil stencil, ivec2 row) {
   float share = shareOf(row, point);
-  vec3 rowLever = leverBetween(centre, imageLoad(levers, nearestIndex(row, fineSize)));
+  vec3 rowLever = leverBetween(centre, imageLoad(levers, fineIndex(row)));
   [[unroll]] for (int v = -1; v <= 1; ++v) {
     [[unroll]] for (int u = -1; u <= 1; ++u) {
       ivec2 column = row + ivec2(u, v);
       Block a = kNoBlock;
       add(a, share, withLeverOfRow(rowLever, blockBetween(row, ivec2(u, v))));
-      ivec4 lever = imageLoad(levers, nearestIndex(column, fineSize));
+      ivec4 lever = imageLoad(levers, fineIndex(column));
       addBlock(stencil.self, a, column, lever, ivec2(0, 0), centre);
       if (u >= 0) {
         addBlock(stencil.east, a, column, lever, ivec2(1, 0), eastCentre);
@@ -53,10 +53,9 @@ void addRow(inout Stencil stencil, ivec2 row) {
 }
 
 void main() {
-  findSizes();
-  matrixSize = fineSize;
+  matrixSize = push.fineSize;
   point = pointOf(push.firstRow);
-  if (point.x >= coarseSize.x) {
+  if (!hasPoint(push.coarseSize, point)) {
     return;
   }
   centre = centreOf(ivec2(0, 0));
@@ -70,5 +69,5 @@ void main() {
       addRow(stencil, finePointOf(point) + ivec2(u, v));
     }
   }
-  storeStencil(writtenIndex(coarseSize.x), stencil);
+  storeStencil(writtenIndex(push.coarseSize), stencil);
 }

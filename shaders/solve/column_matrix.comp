@@ -37,11 +37,6 @@ ivec4 centreP, centreA, centreB, centreD;
 // The parts of the column's row in which the neighbours' motions are multiplied.
 Block withP, withA, withB, withD;
 
-bool isColumn(ivec2 column) {
-  return all(greaterThanEqual(column, ivec2(0))) &&
-         all(lessThan(column, ivec2(push.grid.verticesU, push.grid.verticesV)));
-}
-
 Vertex vertexAt(ivec2 column, int layer, ivec4 centre) {
   ivec4 position = positionAt(column, layer);
   return Vertex(position, between(centre, position));
@@ -113,10 +108,10 @@ mat3 strutHessian(vec3 arm, int from, int axis) {
 }
 
 // Between p and a in one layer.
-void addLateralStrut(float share, int layer, bool leavesP, int axis) {
+void addLateralStrut(float share, int layer, ivec2 from, int axis) {
   Vertex atP = vertexAt(p, layer, centreP), atA = vertexAt(a, layer, centreA);
   mat3 hessian = strutHessian(between(atP.position, atA.position),
-                              vertexIndex(leavesP ? p : a, layer), axis);
+                              indexInColumn(from, layer), axis);
   Block row = withLeverOfRow(atP.lever, Block(hessian, mat3(0), mat3(0), mat3(0)));
   add(withP, share, withLever(row, atP.lever));
   add(withA, -share, withLever(row, atA.lever));
@@ -125,7 +120,7 @@ void addLateralStrut(float share, int layer, bool leavesP, int axis) {
 // A vertical strut turns with its column.
 void addVerticalStrut(inout Block block, int layer) {
   vec3 arm = between(positionAt(p, layer), positionAt(p, layer + 1));
-  mat3 hessian = strutHessian(arm, vertexIndex(p, layer), 2);
+  mat3 hessian = strutHessian(arm, indexInColumn(p, layer), 2);
   block.ww += crossed(arm, crossedFromRight(hessian, arm));
 }
 
@@ -138,10 +133,11 @@ void addFacesAround(inout Stencil stencil, int layer, int quarter) {
   centreB = centreOf(b);
   centreD = centreOf(d);
   withP = withA = withB = withD = kNoBlock;
-  float share = isColumn(a) ? 1.0 : 0.0;
-  addLateralStrut(share, layer, quarter < 2, quarter & 1);
-  addLateralFace(isColumn(d) ? 1.0 : 0.0, layer);
-  if (layer + 1 < push.grid.layers) {
+  ivec2 from = min(p, a), to = max(p, a);
+  float share = hasSpan(push.grid.size, ivec3(from, layer), ivec3(to, layer)) ? 1.0 : 0.0;
+  addLateralStrut(share, layer, from, quarter & 1);
+  addLateralFace(hasCell(push.grid.size, min(p, d)) ? 1.0 : 0.0, layer);
+  if (hasStrut(push.grid.size, ivec3(p, layer), 2)) {
     addVerticalFace(share, layer);
   }
   add(stencil.self, 1.0, withP);
@@ -155,18 +151,18 @@ void addFacesAround(inout Stencil stencil, int layer, int quarter) {
 
 void main() {
   p = pointOf(push.firstRow);
-  if (!isColumn(p)) {
+  if (!hasColumn(push.grid.size, p)) {
     return;
   }
   centreP = centreOf(p);
   Stencil stencil = kNoStencil;
-  for (int layer = 0; layer < push.grid.layers; ++layer) {
+  for (int layer = 0; layer < push.grid.size.z; ++layer) {
     for (int quarter = 0; quarter < 4; ++quarter) {
       addFacesAround(stencil, layer, quarter);
     }
-    if (layer + 1 < push.grid.layers) {
+    if (hasStrut(push.grid.size, ivec3(p, layer), 2)) {
       addVerticalStrut(stencil.self, layer);
     }
   }
-  storeStencil(writtenIndex(push.grid.verticesU), stencil);
+  storeStencil(writtenIndex(ivec2(push.grid.size)), stencil);
 }

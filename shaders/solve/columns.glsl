@@ -15,6 +15,7 @@
 // carries in masked memory. They count upwards between constants; of others compilers lose count, and
 // leave these arrays in memory.
 #extension GL_EXT_control_flow_attributes : require
+#include "shared/topology.h"
 
 layout(local_size_x_id = 0) in;  // A subgroup: a part of a row of blocks.
 layout(constant_id = 1) const int kLayers = 0;  // 0: known at run time only; works for any number.
@@ -78,12 +79,10 @@ Sum energy = Sum(0);  // of the block's own struts and apexes
 // Beyond the border a neighbour is the vertex itself, its edge the zero vector.
 void findRing(bool mayStore) {
   ivec2 first = ivec2(gl_GlobalInvocationID.xy) * ivec2(kBlockU, kBlockV) - 1;
-  ivec2 size = ivec2(GRID.verticesU, GRID.verticesV);
   FOR_RING(v, u) {
     ivec2 column = first + ivec2(u, v);
-    ivec2 nearest = clamp(column, ivec2(0), size - 1);
-    ringIndex[v][u] = nearest.y * GRID.verticesU + nearest.x;
-    owned[v][u] = mayStore && column == nearest;
+    ringIndex[v][u] = pointIndex(ivec2(GRID.size), nearestPoint(ivec2(GRID.size), column));
+    owned[v][u] = mayStore && hasColumn(GRID.size, column);
   }
 }
 
@@ -243,8 +242,8 @@ void goUp() {
 }
 
 void walkColumns() {
-  int layers = kLayers > 0 ? kLayers : GRID.layers;
-  int layerLength = GRID.verticesU * GRID.verticesV;
+  int layers = kLayers > 0 ? kLayers : GRID.size.z;
+  int layerLength = GRID.size.x * GRID.size.y;
   FOR_RING(v, u) {
     here[v][u] = vertexAt(ringIndex[v][u]);
     down[v][u] = kNoEdge;

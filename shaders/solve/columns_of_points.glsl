@@ -1,16 +1,19 @@
 // Level 1: a column of vertices moves rigidly about its centre, the vertex in the middle layer:
 // u(x) = t + w x (x - centre).
+#include "shared/topology.h"
 #include "solve/arm.glsl"
 
 layout(binding = kBindingPositions, rgba32i) readonly uniform iimageBuffer positions;
 layout(push_constant) uniform Push { ColumnPush push; };
 
-int vertexIndex(ivec2 column, int layer) {
-  ivec2 nearest = clamp(column, ivec2(0), ivec2(push.grid.verticesU, push.grid.verticesV) - 1);
-  return (layer * push.grid.verticesV + nearest.y) * push.grid.verticesU + nearest.x;
+// In the nearest column that there is.
+int indexInColumn(ivec2 column, int layer) {
+  return vertexIndex(push.grid.size, ivec3(nearestPoint(ivec2(push.grid.size), column), layer));
 }
 
-ivec4 positionAt(ivec2 column, int layer) { return imageLoad(positions, vertexIndex(column, layer)); }
+ivec4 positionAt(ivec2 column, int layer) {
+  return imageLoad(positions, indexInColumn(column, layer));
+}
 
 ivec4 centreOf(ivec2 column) { return positionAt(column, push.centreLayer); }
 

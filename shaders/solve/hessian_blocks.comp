@@ -4,6 +4,7 @@
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_control_flow_attributes : require
 #include "shared/hessian_types.h"
+#include "shared/topology.h"
 #include "solve/arm.glsl"
 #include "solve/corner_derivative.glsl"
 #include "solve/symmetric_inverse.glsl"
@@ -24,16 +25,11 @@ layout(push_constant) uniform Push { HessianPush push; };
 const float kLeastPivot = 1e-6;
 
 ivec3 vertex;
-ivec3 size;
 Symmetric block = Symmetric(vec3(0), vec3(0));
 
-int indexOf(ivec3 v) { return (v.z * size.y + v.y) * size.x + v.x; }
+int indexOf(ivec3 v) { return vertexIndex(push.grid.size, v); }
 
-bool inside(ivec3 v) { return all(greaterThanEqual(v, ivec3(0))) && all(lessThan(v, size)); }
-
-ivec4 positionAt(ivec3 v) {
-  return imageLoad(positions, indexOf(clamp(v, ivec3(0), size - 1)));
-}
+ivec4 positionAt(ivec3 v) { return imageLoad(positions, indexOf(v)); }
 
 vec3 armBetween(ivec3 from, ivec3 to) {
   return armBetween(positionAt(from), positionAt(to), push.grid.resolution);
@@ -44,14 +40,12 @@ void addOuter(float weight, vec3 j) {
   block.off += weight * j.yxx * j.zzy;
 }
 
-ivec3 unit(int axis) { return ivec3(equal(ivec3(axis), ivec3(0, 1, 2))); }
-
-// The strut that leaves `from` along `axis` on its way to `to`; one of them is the vertex.
-void addStrut(ivec3 from, ivec3 to, int axis) {
-  if (!inside(from) || !inside(to)) {
+// The strut that leaves `from` along `axis`, from or towards the vertex.
+void addStrut(ivec3 from, int axis) {
+  if (!hasStrut(push.grid.size, from, axis)) {
     return;
   }
-  vec3 arm = armBetween(from, to);
+  vec3 arm = armBetween(from, neighbour(from, axis, 1));
   float rest = float(imageLoad(restLengths, indexOf(from))[axis]) * push.grid.restResolution;
   float stiffness = imageLoad(stiffnesses, indexOf(from))[axis];
   float square = dot(arm, arm) + 1e-20;
@@ -61,7 +55,7 @@ void addStrut(ivec3 from, ivec3 to, int axis) {
 }
 
 void addCorner(ivec3 apex, ivec3 armEnd, ivec3 otherEnd) {
-  if (!inside(apex) || !inside(armEnd) || !inside(otherEnd)) {
+  if (!hasCorner(push.grid.size, armEnd, otherEnd)) {
     return;
   }
   vec3 a = armBetween(apex, armEnd);
@@ -75,8 +69,8 @@ void addCorner(ivec3 apex, ivec3 armEnd, ivec3 otherEnd) {
 // The corners whose apex is the vertex, and those at its neighbours with it as an end.
 void addCorners(int axisA, int axisB) {
   for (int signs = 0; signs < 4; ++signs) {
-    ivec3 a = unit(axisA) * (1 - 2 * (signs & 1));
-    ivec3 b = unit(axisB) * (1 - (signs & 2));
+    ivec3 a = unitStep(axisA) * (1 - 2 * (signs & 1));
+    ivec3 b = unitStep(axisB) * (1 - (signs & 2));
     addCorner(vertex, vertex + a, vertex + b);
     addCorner(vertex - a, vertex, vertex - a + b);
     addCorner(vertex - b, vertex, vertex - b + a);
@@ -84,14 +78,13 @@ void addCorners(int axisA, int axisB) {
 }
 
 void main() {
-  size = ivec3(push.grid.verticesU, push.grid.verticesV, push.grid.layers);
   vertex = ivec3(gl_GlobalInvocationID);
-  if (!inside(vertex)) {
+  if (!hasVertex(push.grid.size, vertex)) {
     return;
   }
   for (int axis = 0; axis < 3; ++axis) {
-    addStrut(vertex, vertex + unit(axis), axis);
-    addStrut(vertex - unit(axis), vertex, axis);
+    addStrut(vertex, axis);
+    addStrut(neighbour(vertex, axis, -1), axis);
     addCorners(axis, axis < 2 ? axis + 1 : 0);
   }
   Symmetric inverse = inverseOf(block, kLeastPivot * block.diagonal);

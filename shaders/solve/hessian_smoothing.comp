@@ -12,7 +12,7 @@ layout(std430, binding = kBindingResult) writeonly buffer Result { vec4 result[]
 layout(push_constant) uniform Push { HessianPush push; };
 
 void main() {
-  int layerLength = push.grid.verticesU * push.grid.verticesV;
+  int layerLength = push.grid.size.x * push.grid.size.y;
   int inLayer = int(gl_GlobalInvocationID.x);
   int index = int(gl_GlobalInvocationID.y) * layerLength + min(inLayer, layerLength - 1);
   vec3 step = push.weight * multiplyInverse(index, imageLoad(rightSide, index).xyz);

@@ -23,10 +23,10 @@ const float kLeastPivot = 1e-5;
 
 void main() {
   ivec2 p = pointOf(push.firstRow);
-  if (p.x >= push.pointsU) {
+  if (!hasPoint(push.size, p)) {
     return;
   }
-  int point = p.y * push.pointsU + p.x;
+  int point = pointIndex(push.size, p);
   Block a = BLOCK_AT(self0, self1, self2, point);
   mat3 inverseTt = inverseOf(a.tt, kLeastPivot * diagonalOf(a.tt));
   mat3 wtTimesInverse = a.wt * inverseTt;
@@ -36,5 +36,5 @@ void main() {
   inverse.wt = -inverse.ww * wtTimesInverse;
   inverse.tw = transpose(inverse.wt);
   inverse.tt = inverseTt - transpose(wtTimesInverse) * inverse.wt;
-  STORE_BLOCK(inverse0, inverse1, inverse2, writtenIndex(push.pointsU), inverse);
+  STORE_BLOCK(inverse0, inverse1, inverse2, writtenIndex(push.size), inverse);
 }

@@ -12,16 +12,15 @@ layout(std430, binding = kBindingCoarseCentres) writeonly buffer Coarse { ivec4 
 layout(std430, binding = kBindingLevers) writeonly buffer Levers { ivec4 levers[]; };
 
 ivec4 centreOf(ivec2 coarse) {
-  return imageLoad(centres, nearestIndex(finePointOf(coarse), fineSize));
+  return imageLoad(centres, fineIndex(finePointOf(coarse)));
 }
 
 void main() {
-  findSizes();
   ivec2 p = ivec2(gl_GlobalInvocationID.xy);
-  if (p.x >= fineSize.x) {
+  if (!hasPoint(push.fineSize, p)) {
     return;
   }
-  int point = nearestIndex(p, fineSize);
+  int point = fineIndex(p);
   ivec4 centre = imageLoad(centres, point);
   vec3 offset = vec3(0);  // x - xbar
   [[unroll]] for (int v = 0; v < 2; ++v) {
@@ -33,6 +32,6 @@ void main() {
   levers[point] = ivec4(centre.xyz + ivec3(round(offset)), 0);
   vec2 second = secondShares(p);
   if (second == floor(second)) {
-    coarseCentres[nearestIndex(firstCoarse(p) + ivec2(second), coarseSize)] = centre;
+    coarseCentres[coarseIndex(firstCoarse(p) + ivec2(second))] = centre;
   }
 }

@@ -17,11 +17,11 @@ layout(push_constant) uniform Push { SmoothingPush push; };
 
 void main() {
   ivec2 p = pointOf(push.firstRow);
-  if (p.x >= push.pointsU) {
+  if (!hasPoint(push.size, p)) {
     return;
   }
-  int point = p.y * push.pointsU + p.x;
+  int point = pointIndex(push.size, p);
   Motion step = multiply(BLOCK_AT(inverse0, inverse1, inverse2, point), MOTION_AT(rightSide, point));
-  STORE_MOTION(result, writtenIndex(push.pointsU),
+  STORE_MOTION(result, writtenIndex(push.size),
                Motion(push.weight * step.t, push.weight * step.w));
 }

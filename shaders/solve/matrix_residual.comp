@@ -9,10 +9,10 @@
 layout(local_size_x_id = 0) in;
 
 void main() {
-  matrixSize = ivec2(push.pointsU, push.pointsV);
+  matrixSize = push.size;
   ivec2 p = pointOf(push.firstRow);
   Motion r = residualAt(p);
-  if (isPoint(p)) {
-    STORE_MOTION(result, writtenIndex(push.pointsU), r);
+  if (hasPoint(matrixSize, p)) {
+    STORE_MOTION(result, writtenIndex(matrixSize), r);
   }
 }

@@ -13,12 +13,12 @@ layout(binding = kBindingInverse + 1u, rgba32f) readonly uniform imageBuffer inv
 layout(binding = kBindingInverse + 2u, rgba32f) readonly uniform imageBuffer inverse2;
 
 void main() {
-  matrixSize = ivec2(push.pointsU, push.pointsV);
+  matrixSize = push.size;
   ivec2 p = pointOf(push.firstRow);
-  Motion step = multiply(BLOCK_AT(inverse0, inverse1, inverse2, pointIndex(p)), residualAt(p));
+  Motion step = multiply(BLOCK_AT(inverse0, inverse1, inverse2, nearestIndex(p)), residualAt(p));
   Motion x = iterateAt(p);
-  if (isPoint(p)) {
-    STORE_MOTION(result, writtenIndex(push.pointsU),
+  if (hasPoint(matrixSize, p)) {
+    STORE_MOTION(result, writtenIndex(matrixSize),
                  Motion(x.t + push.weight * step.t, x.w + push.weight * step.w));
   }
 }

@@ -1,4 +1,6 @@
 // The matrix of a level, read: five blocks a point of its stencil of nine.
+#include "shared/topology.h"
+
 layout(binding = kBindingMatrix + 3u * kStencilSelf + 0u, rgba32f) readonly uniform imageBuffer
     self0;
 layout(binding = kBindingMatrix + 3u * kStencilSelf + 1u, rgba32f) readonly uniform imageBuffer
@@ -32,13 +34,7 @@ layout(binding = kBindingMatrix + 3u * kStencilNorthWest + 2u, rgba32f) readonly
 
 ivec2 matrixSize;
 
-bool isPoint(ivec2 p) { return all(greaterThanEqual(p, ivec2(0))) && all(lessThan(p, matrixSize)); }
-
-// Of the nearest point.
-int pointIndex(ivec2 p) {
-  ivec2 nearest = clamp(p, ivec2(0), matrixSize - 1);
-  return nearest.y * matrixSize.x + nearest.x;
-}
+int nearestIndex(ivec2 p) { return pointIndex(matrixSize, nearestPoint(matrixSize, p)); }
 
 Block selfBlock(int point) {
   return BLOCK_AT(self0, self1, self2, point);
@@ -62,8 +58,8 @@ Block northWestBlock(int point) {
 
 // Row p, column p + offset of the matrix.
 Block blockBetween(ivec2 p, ivec2 offset) {
-  int here = pointIndex(p);
-  int there = pointIndex(p + offset);
+  int here = nearestIndex(p);
+  int there = nearestIndex(p + offset);
   if (offset.y == 0) {
     return offset.x == 0   ? selfBlock(here)
            : offset.x == 1 ? eastBlock(here)

@@ -15,13 +15,13 @@ layout(std430, binding = kBindingFineResult) writeonly buffer Result { vec4 resu
 
 void main() {
   ivec2 column = ivec2(gl_GlobalInvocationID.xy);
-  if (column.x >= push.grid.verticesU) {
+  if (!hasColumn(push.grid.size, column)) {
     return;
   }
   ivec4 centre = centreOf(column);
-  Motion motion = MOTION_AT(motions, vertexIndex(column, 0));
-  for (int layer = 0; layer < push.grid.layers; ++layer) {
-    int vertex = vertexIndex(column, layer);
+  Motion motion = MOTION_AT(motions, indexInColumn(column, 0));
+  for (int layer = 0; layer < push.grid.size.z; ++layer) {
+    int vertex = indexInColumn(column, layer);
     vec3 lever = between(centre, positionAt(column, layer));
     vec3 moved = imageLoad(vertexMotions, vertex).xyz + motion.t + cross(motion.w, lever);
     result[vertex] = vec4(moved, 0.0);

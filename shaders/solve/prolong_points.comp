@@ -17,24 +17,23 @@ layout(binding = kBindingFineVector, rgba32f) readonly uniform imageBuffer fineV
 layout(std430, binding = kBindingFineResult) writeonly buffer FineResult { vec4 fineResult[]; };
 
 void main() {
-  findSizes();
   ivec2 p = pointOf(push.firstRow);
-  if (p.x >= fineSize.x) {
+  if (!hasPoint(push.fineSize, p)) {
     return;
   }
-  int point = nearestIndex(p, fineSize);
+  int point = fineIndex(p);
   ivec4 lever = imageLoad(levers, point);
   Motion x = MOTION_AT(fineVector, point);
   [[unroll]] for (int v = 0; v < 2; ++v) {
     [[unroll]] for (int u = 0; u < 2; ++u) {
       ivec2 coarse = firstCoarse(p) + ivec2(u, v);
-      int coarseIndex = nearestIndex(coarse, coarseSize);
-      Motion c = MOTION_AT(coarseVector, coarseIndex);
-      vec3 y = leverBetween(imageLoad(coarseCentres, coarseIndex), lever);
+      int index = coarseIndex(coarse);
+      Motion c = MOTION_AT(coarseVector, index);
+      vec3 y = leverBetween(imageLoad(coarseCentres, index), lever);
       float share = shareOf(p, coarse);
       x.t += share * (c.t + cross(c.w, y));
       x.w += share * c.w;
     }
   }
-  STORE_MOTION(fineResult, writtenIndex(fineSize.x), x);
+  STORE_MOTION(fineResult, writtenIndex(push.fineSize), x);
 }

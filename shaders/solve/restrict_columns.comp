@@ -14,15 +14,15 @@ layout(std430, binding = kBindingResult) writeonly buffer Result { vec4 result[]
 
 void main() {
   ivec2 column = pointOf(push.firstRow);
-  if (column.x >= push.grid.verticesU) {
+  if (!hasColumn(push.grid.size, column)) {
     return;
   }
   ivec4 centre = centreOf(column);
   Motion total = kNoMotion;
-  for (int layer = 0; layer < push.grid.layers; ++layer) {
-    vec3 force = imageLoad(forces, vertexIndex(column, layer)).xyz;
+  for (int layer = 0; layer < push.grid.size.z; ++layer) {
+    vec3 force = imageLoad(forces, indexInColumn(column, layer)).xyz;
     total.t += force;
     total.w += cross(between(centre, positionAt(column, layer)), force);
   }
-  STORE_MOTION(result, writtenIndex(push.grid.verticesU), total);
+  STORE_MOTION(result, writtenIndex(ivec2(push.grid.size)), total);
 }

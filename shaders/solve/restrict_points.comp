@@ -16,23 +16,22 @@ layout(binding = kBindingLevers, rgba32i) readonly uniform iimageBuffer levers;
 layout(std430, binding = kBindingResult) writeonly buffer Result { vec4 result[]; };
 
 void main() {
-  findSizes();
   ivec2 coarse = pointOf(push.firstRow);
-  if (coarse.x >= coarseSize.x) {
+  if (!hasPoint(push.coarseSize, coarse)) {
     return;
   }
-  ivec4 centre = imageLoad(coarseCentres, nearestIndex(coarse, coarseSize));
+  ivec4 centre = imageLoad(coarseCentres, coarseIndex(coarse));
   Motion restricted = kNoMotion;
   [[unroll]] for (int v = -1; v <= 1; ++v) {
     [[unroll]] for (int u = -1; u <= 1; ++u) {
       ivec2 fine = finePointOf(coarse) + ivec2(u, v);
-      int fineIndex = nearestIndex(fine, fineSize);
-      Motion r = MOTION_AT(fineVector, fineIndex);
-      vec3 lever = leverBetween(centre, imageLoad(levers, fineIndex));
+      int index = fineIndex(fine);
+      Motion r = MOTION_AT(fineVector, index);
+      vec3 lever = leverBetween(centre, imageLoad(levers, index));
       float share = shareOf(fine, coarse);
       restricted.t += share * r.t;
       restricted.w += share * (r.w + cross(lever, r.t));
     }
   }
-  STORE_MOTION(result, writtenIndex(coarseSize.x), restricted);
+  STORE_MOTION(result, writtenIndex(push.coarseSize), restricted);
 }

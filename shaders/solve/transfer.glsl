@@ -2,29 +2,18 @@
 // point min(2 I, n - 1). A fine point's motion is interpolated from the coarse points C around it, with
 // bilinear shares phi, so that they are linked (constant curvature and twist stay free of shear):
 //   t = sum phi (t_C + w_C x y_C),  w = sum phi w_C,  y_C = x - (xbar + x_C) / 2,  xbar = sum phi x_C.
+#include "shared/topology.h"
+
 layout(push_constant) uniform Push { TransferPush push; };
 
-ivec2 fineSize;
-ivec2 coarseSize;
+int fineIndex(ivec2 p) { return pointIndex(push.fineSize, nearestPoint(push.fineSize, p)); }
 
-void findSizes() {
-  fineSize = ivec2(push.fineU, push.fineV);
-  coarseSize = ivec2(push.coarseU, push.coarseV);
-}
+int coarseIndex(ivec2 p) { return pointIndex(push.coarseSize, nearestPoint(push.coarseSize, p)); }
 
-bool isWithin(ivec2 p, ivec2 size) {
-  return all(greaterThanEqual(p, ivec2(0))) && all(lessThan(p, size));
-}
-
-int nearestIndex(ivec2 p, ivec2 size) {
-  ivec2 nearest = clamp(p, ivec2(0), size - 1);
-  return nearest.y * size.x + nearest.x;
-}
-
-ivec2 finePointOf(ivec2 coarse) { return min(2 * coarse, fineSize - 1); }
+ivec2 finePointOf(ivec2 coarse) { return min(2 * coarse, push.fineSize - 1); }
 
 // The first of the 2 x 2 coarse points around a fine one.
-ivec2 firstCoarse(ivec2 fine) { return min(fine / 2, coarseSize - 2); }
+ivec2 firstCoarse(ivec2 fine) { return min(fine / 2, push.coarseSize - 2); }
 
 // Of the second coarse point in each direction; those of the first are the rest to 1.
 vec2 secondShares(ivec2 fine) {
@@ -38,7 +27,7 @@ float shareOf(ivec2 fine, ivec2 coarse) {
   ivec2 steps = coarse - firstCoarse(fine);
   vec2 second = secondShares(fine);
   vec2 share = mix(mix(vec2(0), second, equal(steps, ivec2(1))), 1.0 - second, equal(steps, ivec2(0)));
-  return isWithin(fine, fineSize) ? share.x * share.y : 0.0;
+  return hasPoint(push.fineSize, fine) ? share.x * share.y : 0.0;
 }
 
 // y_C, from 2 x - xbar (levers.comp).
