@@ -144,8 +144,8 @@ void writeGltf(const std::filesystem::path& path, const StrutGrid& grid, const S
     const int step = static_cast<int>(std::lround(double(key) * steps / lastKey));
     const auto index = static_cast<std::size_t>(step);
     Eigen::Matrix3Xd positions = placements[index] * shapes[index];
-    SurfaceMesh surface = tessellate(grid.shape.verticesU, grid.shape.verticesV,
-                                     middleLayer(grid.shape, positions), kMorphRefinement);
+    SurfaceMesh surface =
+        tessellate(grid.shape, middleLayer(grid.shape, positions), kMorphRefinement);
     keys.push_back({std::move(positions), std::move(surface)});
     timeline.push_back({kFirstShown + kMorphing * step / steps, key});
   }

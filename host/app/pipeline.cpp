@@ -48,8 +48,7 @@ void exportFiles(const Stage& stage, const Eigen::Isometry3d& targetFromGrid,
                  const FileChoices& choices, const std::filesystem::path& folder) {
   const GridShape& shape = stage.grid.shape;
   const Eigen::Matrix3Xd positions = targetFromGrid * stage.equilibrium.positions;
-  const SurfaceMesh surface = tessellate(shape.verticesU, shape.verticesV,
-                                         middleLayer(shape, positions), kSurfaceRefinement);
+  const SurfaceMesh surface = tessellate(shape, middleLayer(shape, positions), kSurfaceRefinement);
   if (choices.gltf) {
     exportGltf(folder / "warped.glb", stage.grid, positions, surface);
   }

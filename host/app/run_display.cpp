@@ -23,12 +23,11 @@ Matrix3Xd resampled(const Matrix3Xd& points, const GridShape& from, const GridSh
   const auto nearest = [](int n, int count, int fromCount) {
     return static_cast<int>(std::lround(double(n) * (fromCount - 1) / (count - 1)));
   };
-  for (int j = 0; j < to.verticesV; ++j) {
-    for (int i = 0; i < to.verticesU; ++i) {
-      result.col(to.index(i, j, 0)) = points.col(from.index(
-          nearest(i, to.verticesU, from.verticesU), nearest(j, to.verticesV, from.verticesV), 0));
-    }
-  }
+  forEachVertex(to.layer(), [&](const GridPlace& place) {
+    result.col(to.index(place)) =
+        points.col(from.index(nearest(place.i, to.verticesU, from.verticesU),
+                              nearest(place.j, to.verticesV, from.verticesV), 0));
+  });
   return result;
 }
 
@@ -86,7 +85,7 @@ std::optional<ShownGrid> RunDisplay::makeTarget(const GridShape& shape,
   target.onDevice = std::make_shared<DeviceGrid>(device_, *target.grid);
   target.positions = std::make_shared<Matrix3Xd>(*designed.targets);
   reference_ = target.positions;
-  referenceShape_ = {shape.verticesU, shape.verticesV, 1};
+  referenceShape_ = shape.layer();
   return target;
 }
 

@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "app/progress_line.h"
+#include "energy/strut_energy.h"
 #include "inverse/print_scale.h"
-#include "solve/energy.h"
 #include "solve/jacobi_solver.h"
 #include "solve/multigrid_solver.h"
 #include "solve/preconditioners.h"

@@ -2,6 +2,7 @@
 #include <Eigen/Core>
 #include <functional>
 
+#include "grid/grid_topology.h"
 #include "surface/point_lattice.h"
 
 namespace morphgrid {
@@ -24,7 +25,8 @@ struct Net {
   /// index j (nodesU+1) + i.
   Eigen::Matrix2Xd parameters;
 
-  int index(int i, int j) const { return j * (nodesU + 1) + i; }
+  GridShape shape() const { return {nodesU + 1, nodesV + 1, 1}; }
+  int index(int i, int j) const { return shape().index(i, j, 0); }
 };
 
 /// Vertex (i, j) at (i / nodesU, j / nodesV). nodesU, nodesV >= 1.

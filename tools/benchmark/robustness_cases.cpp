@@ -73,9 +73,9 @@ std::function<void(StrutGrid&)> shake(double amount) {
 void spreadStiffness(StrutGrid& grid, double spread) {
   std::mt19937 random(1);
   std::uniform_real_distribution<double> exponent(-1, 1);
-  for (const Strut& strut : listStruts(grid.shape)) {
+  forEachStrut(grid.shape, [&](const Strut& strut) {
     valueAt(grid.stiffness, strut) *= std::pow(spread, exponent(random));
-  }
+  });
 }
 
 void addWeights(std::vector<RobustnessCase>& cases, const SceneCases& scenes) {
