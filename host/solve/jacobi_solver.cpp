@@ -9,9 +9,9 @@
 #include <optional>
 
 #include "core/error.h"
+#include "energy/strut_energy.h"
 #include "solve/checkpoint_pace.h"
 #include "solve/control_comp.h"
-#include "solve/energy.h"
 #include "solve/loaded_rest.h"
 #include "solve/sweep_comp.h"
 #include "solve/sweep_precise_comp.h"

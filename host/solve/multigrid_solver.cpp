@@ -8,8 +8,8 @@
 #include <optional>
 
 #include "core/error.h"
+#include "energy/strut_energy.h"
 #include "solve/checkpoint_pace.h"
-#include "solve/energy.h"
 #include "solve/imperfection.h"
 #include "solve/nested_grids.h"
 #include "solve/preconditioned_descent.h"

@@ -2,7 +2,7 @@
 
 #include <memory>
 
-#include "solve/constant_matrix.h"
+#include "energy/constant_matrix.h"
 #include "solve/v_cycle.h"
 
 namespace morphgrid {
@@ -47,8 +47,9 @@ Preconditioner vCyclePreconditioner(const Device& device, const DeviceGrid& grid
 }
 
 Preconditioner constantMatrixPreconditioner(const StrutGrid& grid) {
-  return [matrix = std::make_shared<const ConstantMatrix>(grid, StrutEnergy(grid))](
-             const Matrix3Xd& right) { return matrix->solve(right); };
+  return [matrix = std::make_shared<const ConstantMatrix>(grid)](const Matrix3Xd& right) {
+    return matrix->solve(right);
+  };
 }
 
 }  // namespace morphgrid

@@ -8,8 +8,9 @@
 #include <optional>
 
 #include "core/error.h"
+#include "energy/constant_matrix.h"
+#include "energy/strut_energy.h"
 #include "solve/checkpoint_pace.h"
-#include "solve/constant_matrix.h"
 
 namespace morphgrid {
 namespace {
@@ -105,7 +106,7 @@ Equilibrium solveReference(const StrutGrid& grid, const SolveOptions& options) {
   validate(grid);
   auto start = Clock::now();
   const StrutEnergy energy(grid);
-  const ConstantMatrix matrix(grid, energy);
+  const ConstantMatrix matrix(grid);
   LimitedMemory memory;
 
   Equilibrium result;

@@ -42,9 +42,7 @@ StrutGrid unevenGrid(const GridShape& shape) {
 /// Compressed everywhere: no tension, which would hold rotations.
 StrutGrid compressedGrid(const GridShape& shape) {
   StrutGrid grid = unevenGrid(shape);
-  for (const Strut& strut : listStruts(shape)) {
-    valueAt(grid.rest, strut) *= 3;
-  }
+  forEachStrut(shape, [&](const Strut& strut) { valueAt(grid.rest, strut) *= 3; });
   return grid;
 }
 

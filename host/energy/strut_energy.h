@@ -1,24 +1,12 @@
 #pragma once
 #include <Eigen/Core>
-#include <vector>
 
 #include "grid/strut_grid.h"
 
 namespace morphgrid {
 
-/// A right angle to be kept: vertex indices of the apex and of the ends of its two arms.
-struct Corner {
-  int apex;
-  int a;
-  int b;
-};
-
-/// All pairs of perpendicular neighbours, up to 12 per vertex.
-std::vector<Corner> listCorners(const GridShape& shape);
-
-/// The energy of a grid in double precision: struts `w c (|e| - L)^2`, corners
-/// `w (|a-p|^2 + |b-q|^2) = 2 w s^2 / (T + D)` with s = a.b, T = |a|^2 + |b|^2, D = sqrt(T^2 - 4
-/// s^2). It is the oracle for the device, and gives the figures of the report.
+/// The energy of a grid, the sum of its terms (energy_terms.h), in double precision. It is the
+/// oracle for the device, and gives the figures of the report.
 class StrutEnergy {
  public:
   struct Value {
@@ -44,13 +32,8 @@ class StrutEnergy {
   /// length and weight, and of the size.
   double residual(const Eigen::Matrix3Xd& gradient) const;
 
-  const std::vector<Strut>& struts() const { return struts_; }
-  const std::vector<Corner>& corners() const { return corners_; }
-
  private:
   const StrutGrid& grid_;
-  std::vector<Strut> struts_;
-  std::vector<Corner> corners_;
   Eigen::VectorXd constraintWeights_;
 };
 
