@@ -10,8 +10,7 @@ void main() {
   ivec3 from = placeEnd();
   int index = vertexIndex(push.size, from);
   int end = vertexIndex(push.size, neighbour(from, push.direction, 1));
-  vec3 arm = armBetween(texelFetch(positions, index), texelFetch(positions, end), push.resolution);
+  Edge e = edgeBetween(texelFetch(positions, index), texelFetch(positions, end), push.resolution);
   int rest = texelFetch(restLengths, index)[push.direction];
-  lineColor = strainColor(lengthExcess(dot(arm, arm), rest, push.restResolution) /
-                          (float(rest) * push.restResolution));
+  lineColor = strainColor(strutStrain(e, Spring(rest, push.restResolution, 1.0)));
 }

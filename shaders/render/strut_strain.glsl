@@ -25,7 +25,6 @@ float placeBehind(Strut strut) {
 void main() {
   Strut strut = placeCorner();
   int rest = texelFetch(restLengths, strut.index)[push.direction];
-  strain = lengthExcess(dot(strut.arm, strut.arm), rest, push.restResolution) /
-           (float(rest) * push.restResolution);
+  strain = strutStrain(edgeOf(strut.arm, vec3(0)), Spring(rest, push.restResolution, 1.0));
   behind = placeBehind(strut);
 }

@@ -1,5 +1,10 @@
 // Fixed-point positions (shared/solver_types.h), and the arms between them: exact integer differences,
-// in spacings; single precision, or double with PRECISE.
+// in spacings; single precision, or double with PRECISE. Near equilibrium the rounding of
+// differences in single precision, and nothing else, sets the smallest residual.
+#ifndef MORPHGRID_ENERGY_ARM
+#define MORPHGRID_ENERGY_ARM
+#include "shared/solver_types.h"
+
 #ifdef PRECISE
 #define Arm dvec3
 #define Squared double
@@ -40,3 +45,4 @@ ivec4 moved(ivec4 p, vec3 delta) {
   int extras = extra.x | (extra.y << kExtraBits) | (extra.z << (2 * kExtraBits));
   return ivec4(p.xyz + ivec3(whole), max(extras, 0));
 }
+#endif
