@@ -72,9 +72,9 @@ JacobiSolver::SweepKernels JacobiSolver::sweepKernels(ShaderCode spirv,
   };
   const auto forth = resources(positionsView_, previousView_, deviceGrid_.previousPositions());
   const auto back = resources(previousView_, positionsView_, deviceGrid_.positions());
-  ComputeKernel even(device_, spirv, forth, sizeof(SweepPush), walk.constants({0}));
+  ComputeKernel even(device_, spirv, forth, sizeof(SweepPush), walk.constants(false));
   ComputeKernel odd(device_, even, back);
-  ComputeKernel measured(device_, spirv, back, sizeof(SweepPush), walk.constants({1}));
+  ComputeKernel measured(device_, spirv, back, sizeof(SweepPush), walk.constants(true));
   return {std::move(even), std::move(odd), std::move(measured), walk};
 }
 

@@ -13,7 +13,7 @@
 #include "solve/point_rows.glsl"
 #include "solve/store_stencil.glsl"
 
-layout(local_size_x_id = 0) in;
+layout(local_size_x_id = kConstantSubgroupSize) in;
 
 layout(binding = kBindingRest, rgba32i) readonly uniform iimageBuffer restLengths;
 layout(binding = kBindingStiffness, rgba32f) readonly uniform imageBuffer stiffnesses;

@@ -21,9 +21,9 @@
 #include "energy/strut.glsl"
 #include "shared/topology.h"
 
-layout(local_size_x_id = 0) in;  // A subgroup: a part of a row of blocks.
-layout(constant_id = 1) const int kLayers = 0;  // 0: known at run time only; works for any number.
-layout(constant_id = 2) const bool kUniformStiffness = false;
+layout(local_size_x_id = kConstantSubgroupSize) in;  // A part of a row of blocks.
+layout(constant_id = kConstantLayers) const int kLayers = 0;
+layout(constant_id = kConstantUniformStiffness) const bool kUniformStiffness = false;
 
 // Images, although nothing is stored through them: lavapipe inlines their loads, but calls a function
 // for texelFetch.

@@ -9,7 +9,7 @@
 #include "energy/strut.glsl"
 #include "solve/symmetric_inverse.glsl"
 
-layout(local_size_x_id = 0) in;
+layout(local_size_x_id = kConstantSubgroupSize) in;
 
 layout(binding = kBindingPositions, rgba32i) readonly uniform iimageBuffer positions;
 layout(binding = kBindingRest, rgba32i) readonly uniform iimageBuffer restLengths;

@@ -5,7 +5,7 @@
 
 const int kDerivative = kGradient;
 
-layout(constant_id = 3) const bool kMeasure = false;
+layout(constant_id = kConstantMeasures) const bool kMeasure = false;
 
 // One buffer twice, as loads of texels are the faster ones. A vertex's entry is loaded, then stored, by
 // the one invocation that moves the vertex.
