@@ -32,9 +32,17 @@ vk::raii::Pipeline createPipeline(const Device& device, const ShaderPair& shader
   using Stage = vk::ShaderStageFlagBits;
   const vk::raii::ShaderModule vertex = createModule(device, shaders.vertex);
   const vk::raii::ShaderModule fragment = createModule(device, shaders.fragment);
+  std::vector<vk::SpecializationMapEntry> entries;
+  for (std::uint32_t n = 0; n < shaders.constants.size(); ++n) {
+    entries.emplace_back(n, static_cast<std::uint32_t>(n * sizeof(std::uint32_t)),
+                         sizeof(std::uint32_t));
+  }
+  const vk::SpecializationInfo constants(static_cast<std::uint32_t>(entries.size()), entries.data(),
+                                         shaders.constants.size() * sizeof(std::uint32_t),
+                                         shaders.constants.data());
   const std::array stages = {
-      vk::PipelineShaderStageCreateInfo({}, Stage::eVertex, *vertex, "main"),
-      vk::PipelineShaderStageCreateInfo({}, Stage::eFragment, *fragment, "main")};
+      vk::PipelineShaderStageCreateInfo({}, Stage::eVertex, *vertex, "main", &constants),
+      vk::PipelineShaderStageCreateInfo({}, Stage::eFragment, *fragment, "main", &constants)};
   const vk::PipelineVertexInputStateCreateInfo vertexInput;
   const vk::PipelineInputAssemblyStateCreateInfo assembly(
       {}, primitive == Primitive::lines ? vk::PrimitiveTopology::eLineList

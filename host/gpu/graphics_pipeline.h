@@ -8,6 +8,7 @@ namespace morphgrid {
 struct ShaderPair {
   ShaderCode vertex;
   ShaderCode fragment;
+  std::vector<std::uint32_t> constants = {};  ///< Values of constant_id 0, 1, ... of both.
 };
 
 enum class Blending {

@@ -53,6 +53,10 @@ TexelView restTexels(const Device& device, const DeviceGrid& grid) {
   return texelsOf(device, grid.rest());
 }
 
+TexelView stiffnessTexels(const Device& device, const DeviceGrid& grid) {
+  return {device, grid.stiffness(), vk::Format::eR32G32B32A32Sfloat, sizeof(vec4)};
+}
+
 LocalView viewOf(const DeviceGrid& grid, const Eigen::Isometry3d& worldFromGrid,
                  const Camera& camera, int imageHeight) {
   return localView(worldFromLocal(grid, worldFromGrid), camera, imageHeight);

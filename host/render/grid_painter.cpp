@@ -4,20 +4,13 @@
 
 #include "gpu/command_stream.h"
 #include "render/ribbon_frag.h"
-#include "render/ribbon_share_frag.h"
-#include "render/ribbon_share_vert.h"
 #include "render/ribbon_vert.h"
 #include "render/strut_line_frag.h"
-#include "render/strut_line_share_vert.h"
 #include "render/strut_line_vert.h"
 #include "render/surface_frag.h"
-#include "render/surface_share_frag.h"
-#include "render/surface_share_vert.h"
 #include "render/surface_veil_frag.h"
 #include "render/surface_vert.h"
 #include "render/tube_frag.h"
-#include "render/tube_share_frag.h"
-#include "render/tube_share_vert.h"
 #include "render/tube_vert.h"
 #include "shared/solver_types.h"
 
@@ -41,6 +34,12 @@ GraphicsPipeline surfacePainter(const Device& device, const ShaderPair& shaders,
                                 vk::RenderPass renderPass, vk::SampleCountFlagBits samples,
                                 Blending blending = Blending::opaque) {
   return {device, shaders, paintedSlots(), sizeof(SurfacePush), renderPass, samples, blending};
+}
+
+ShaderPair showingShares(ShaderPair shaders) {
+  shaders.constants.resize(kConstantShowsShares + 1, 0);
+  shaders.constants[kConstantShowsShares] = 1;
+  return shaders;
 }
 
 uint verticesPerStrut(StrutStyle style) {
@@ -85,7 +84,8 @@ GridResources::GridResources(const Device& device, const DeviceGrid& grid,
       positions_(positionTexels(device, grid)),
       previousPositions_(texelsOf(device, grid.previousPositions())),
       rest_(restTexels(device, grid)),
-      shares_(shares ? &shares->texels() : &rest_),  // Unread, but a set has no gaps.
+      noShares_(stiffnessTexels(device, grid)),
+      shares_(shares ? &shares->texels() : &noShares_),
       layout_(createSetLayout(device, paintedSlots(), vk::ShaderStageFlagBits::eVertex)),
       newestFirst_(setFor(device, positions_)),
       newestSecond_(setFor(device, previousPositions_)) {}
@@ -96,24 +96,25 @@ ResourceSet GridResources::setFor(const Device& device, const TexelView& positio
           {{kBindingPositions, &positions}, {kBindingRest, &rest_}, {kBindingShares, shares_}}};
 }
 
+GridPainter::Painter GridPainter::strutPainters(const Device& device, vk::RenderPass renderPass,
+                                                vk::SampleCountFlagBits samples,
+                                                const ShaderPair& shaders, Primitive primitive) {
+  return {strutPainter(device, shaders, renderPass, samples, primitive),
+          strutPainter(device, showingShares(shaders), renderPass, samples, primitive)};
+}
+
 GridPainter::GridPainter(const Device& device, vk::RenderPass renderPass,
                          vk::SampleCountFlagBits samples)
-    : struts_{{{strutPainter(device, {strut_line_vert_spirv, strut_line_frag_spirv}, renderPass,
-                             samples, Primitive::lines),
-                strutPainter(device, {strut_line_share_vert_spirv, strut_line_frag_spirv},
-                             renderPass, samples, Primitive::lines)},
-               {strutPainter(device, {ribbon_vert_spirv, ribbon_frag_spirv}, renderPass, samples,
-                             Primitive::triangles),
-                strutPainter(device, {ribbon_share_vert_spirv, ribbon_share_frag_spirv}, renderPass,
-                             samples, Primitive::triangles)},
-               {strutPainter(device, {tube_vert_spirv, tube_frag_spirv}, renderPass, samples,
-                             Primitive::frontTriangles),
-                strutPainter(device, {tube_share_vert_spirv, tube_share_frag_spirv}, renderPass,
-                             samples, Primitive::frontTriangles)}}},
+    : struts_{strutPainters(device, renderPass, samples,
+                            {strut_line_vert_spirv, strut_line_frag_spirv}, Primitive::lines),
+              strutPainters(device, renderPass, samples, {ribbon_vert_spirv, ribbon_frag_spirv},
+                            Primitive::triangles),
+              strutPainters(device, renderPass, samples, {tube_vert_spirv, tube_frag_spirv},
+                            Primitive::frontTriangles)},
       surface_{
           surfacePainter(device, {surface_vert_spirv, surface_frag_spirv}, renderPass, samples),
-          surfacePainter(device, {surface_share_vert_spirv, surface_share_frag_spirv}, renderPass,
-                         samples)},
+          surfacePainter(device, showingShares({surface_vert_spirv, surface_frag_spirv}),
+                         renderPass, samples)},
       veil_(surfacePainter(device, {surface_vert_spirv, surface_veil_frag_spirv}, renderPass,
                            samples, Blending::translucent)) {}
 

@@ -57,6 +57,7 @@ class GridResources {
   TexelView positions_;
   TexelView previousPositions_;
   TexelView rest_;
+  TexelView noShares_;  ///< Unread, but a set has no gaps.
   const TexelView* shares_;
   vk::raii::DescriptorSetLayout layout_;
   ResourceSet newestFirst_;
@@ -80,6 +81,9 @@ class GridPainter {
     GraphicsPipeline shares;
   };
 
+  static Painter strutPainters(const Device& device, vk::RenderPass renderPass,
+                               vk::SampleCountFlagBits samples, const ShaderPair& shaders,
+                               Primitive primitive);
   void drawStruts(const vk::raii::CommandBuffer& commands, const GridResources& resources,
                   const ResourceSet& set, const GridLook& look, const LocalView& view) const;
   void drawSurface(const vk::raii::CommandBuffer& commands, const GridResources& resources,

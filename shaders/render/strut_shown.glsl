@@ -1,8 +1,13 @@
-// What a strut shows of its strain. Before: placeCorner().
-layout(binding = kBindingRest) uniform isamplerBuffer restLengths;
+// What a strut's colour shows: its strain, or with kShowsShares a share of its own.
+#include "render/strut.glsl"
 
-layout(location = 0) flat out float strain;
-layout(location = 6) out float behind;  // 0 in the layer next to the eye, 1 in the farthest.
+layout(constant_id = kConstantShowsShares) const bool kShowsShares = false;
+
+layout(binding = kBindingRest) uniform isamplerBuffer restLengths;
+layout(binding = kBindingShares) uniform samplerBuffer shares;
+
+layout(location = 0) flat out float shown;
+layout(location = 6) out float behind;  // 0 in the layer next to the eye, 1 in the farthest; of shares 0.
 
 // How far behind the other layers this strut lies, from the column at its beginning.
 float placeBehind(Strut strut) {
@@ -22,9 +27,13 @@ float placeBehind(Strut strut) {
   return 0.5 - 0.5 * aboveMiddle * clamp(4 * facingUp, -1, 1);
 }
 
-void main() {
-  Strut strut = placeCorner();
-  int rest = texelFetch(restLengths, strut.index)[push.direction];
-  strain = strutStrain(edgeOf(strut.arm, vec3(0)), Spring(rest, push.restResolution, 1.0));
-  behind = placeBehind(strut);
+void show(Strut strut) {
+  if (kShowsShares) {
+    shown = texelFetch(shares, strut.index)[push.direction];
+    behind = 0;
+  } else {
+    int rest = texelFetch(restLengths, strut.index)[push.direction];
+    shown = strutStrain(edgeOf(strut.arm, vec3(0)), Spring(rest, push.restResolution, 1.0));
+    behind = placeBehind(strut);
+  }
 }
