@@ -11,6 +11,7 @@
 #include "app/pipeline.h"
 #include "core/error.h"
 #include "core/interrupt.h"
+#include "gpu/device_failure.h"
 #include "report/report_table.h"
 #include "view/viewer.h"
 
@@ -228,7 +229,10 @@ int guarded(const std::function<int()>& work) {
   } catch (const DeviceError& error) {
     fmt::print(stderr, "device failure: {}\n", error.what());
     return kDeviceFailure;
-  } catch (const vk::SystemError& error) {
+  } catch (const std::system_error& error) {
+    if (!isDeviceFailure(error)) {
+      throw;
+    }
     fmt::print(stderr, "device failure: {}\n", error.what());
     return kDeviceFailure;
   } catch (const Cancelled&) {

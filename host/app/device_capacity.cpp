@@ -84,14 +84,9 @@ GridShape largestThatFits(const GridShape& shape, Method method, const DeviceCap
 }  // namespace
 
 DeviceCapacity capacityOf(const Device& device) {
-  const vk::PhysicalDeviceLimits& limits = device.limits();
-  const auto maintenance =
-      device.physical()
-          .getProperties2<vk::PhysicalDeviceProperties2, vk::PhysicalDeviceMaintenance3Properties>()
-          .get<vk::PhysicalDeviceMaintenance3Properties>();
-  const std::uint64_t largestBuffer =
-      std::min(std::uint64_t{limits.maxTexelBufferElements} * sizeof(vec4),
-               std::uint64_t{maintenance.maxMemoryAllocationSize});
+  const DeviceLimits& limits = device.limits();
+  const std::uint64_t largestBuffer = std::min(
+      std::uint64_t{limits.maxTexelBufferElements} * sizeof(vec4), limits.maxMemoryAllocationSize);
   return {device.name(),
           availableMemory(device),
           largestBuffer,

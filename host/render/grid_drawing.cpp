@@ -42,7 +42,7 @@ int chooseRefinement(const GridShape& shape, int mostQuads) {
 }  // namespace
 
 TexelView texelsOf(const Device& device, const Buffer& buffer) {
-  return {device, buffer, vk::Format::eR32G32B32A32Sint, sizeof(ivec4)};
+  return {device, buffer, TexelFormat::int4};
 }
 
 TexelView positionTexels(const Device& device, const DeviceGrid& grid) {

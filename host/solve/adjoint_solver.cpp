@@ -20,7 +20,7 @@ AdjointSolver::AdjointSolver(const Device& device, const DeviceGrid& grid)
       correction_(device, grid.shape().vertexCount()),
       direction_(device, grid.shape().vertexCount()),
       product_(device, grid.shape().vertexCount()),
-      sums_(device, reductionGroups(count_) * sizeof(vec2), vk::BufferUsageFlagBits::eStorageBuffer,
+      sums_(device, reductionGroups(count_) * sizeof(vec2), BufferUsage::storageBuffer,
             MemoryKind::host),
       cycle_(device, grid, remainder_, correction_),
       multiplication_(cycle_.hessian().exactProduct(direction_, product_)),

@@ -44,11 +44,11 @@ GridPush ColumnWalk::push() const {
 }
 
 TexelView integerTexels(const Device& device, const Buffer& buffer) {
-  return {device, buffer, vk::Format::eR32G32B32A32Sint, sizeof(ivec4), TexelAccess::image};
+  return {device, buffer, TexelFormat::int4, TexelAccess::image};
 }
 
 TexelView floatTexels(const Device& device, const Buffer& buffer) {
-  return {device, buffer, vk::Format::eR32G32B32A32Sfloat, sizeof(vec4), TexelAccess::image};
+  return {device, buffer, TexelFormat::float4, TexelAccess::image};
 }
 
 GridTexels::GridTexels(const Device& device, const DeviceGrid& grid)

@@ -58,10 +58,10 @@ std::optional<UniformStiffness> findUniformStiffness(const StrutGrid& grid) {
 }
 
 Buffer perVertexBuffer(const Device& device, const GridShape& shape) {
-  using Usage = vk::BufferUsageFlagBits;
+  using Usage = BufferUsage;
   return {device, shape.vertexCount() * sizeof(vec4),
-          Usage::eStorageBuffer | Usage::eUniformTexelBuffer | Usage::eStorageTexelBuffer |
-              Usage::eTransferSrc | Usage::eTransferDst,
+          Usage::storageBuffer | Usage::uniformTexelBuffer | Usage::storageTexelBuffer |
+              Usage::transferSrc | Usage::transferDst,
           MemoryKind::device};
 }
 

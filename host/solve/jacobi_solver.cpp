@@ -31,7 +31,7 @@ constexpr double kSubmissionSeconds = 0.1;
 constexpr long kPatience = 20000;  // Sweeps without a new best residual that end the run.
 
 Buffer hostStorage(const Device& device, std::size_t bytes) {
-  return {device, bytes, vk::BufferUsageFlagBits::eStorageBuffer, MemoryKind::host};
+  return {device, bytes, BufferUsage::storageBuffer, MemoryKind::host};
 }
 
 }  // namespace
@@ -45,7 +45,7 @@ JacobiSolver::JacobiSolver(const Device& device, const StrutGrid& grid, DeviceGr
       state_(hostStorage(device, sizeof(SolverState))),
       partials_(device,
                 walk_.groupsU() * static_cast<std::uint32_t>(grid.shape.verticesV) * sizeof(vec4),
-                vk::BufferUsageFlagBits::eStorageBuffer, MemoryKind::device),
+                BufferUsage::storageBuffer, MemoryKind::device),
       samples_(hostStorage(device, kLargestSubmission * sizeof(SolverSample))),
       positionsView_(integerTexels(device, deviceGrid.positions())),
       previousView_(integerTexels(device, deviceGrid.previousPositions())),

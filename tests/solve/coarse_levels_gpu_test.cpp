@@ -68,11 +68,11 @@ double relativeDifference(const MatrixXd& a, const MatrixXd& b) {
 }
 
 Buffer vertexVector(const Device& device, const GridShape& shape) {
-  using Usage = vk::BufferUsageFlagBits;
-  return {device, shape.vertexCount() * sizeof(vec4),
-          Usage::eStorageBuffer | Usage::eStorageTexelBuffer | Usage::eTransferSrc |
-              Usage::eTransferDst,
-          MemoryKind::device};
+  using Usage = BufferUsage;
+  return {
+      device, shape.vertexCount() * sizeof(vec4),
+      Usage::storageBuffer | Usage::storageTexelBuffer | Usage::transferSrc | Usage::transferDst,
+      MemoryKind::device};
 }
 
 std::vector<vec4> packVertices(const VectorXd& values) {

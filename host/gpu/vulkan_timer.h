@@ -2,8 +2,8 @@
 #include <string>
 #include <vector>
 
-#include "gpu/device.h"
 #include "gpu/kernel_profile.h"
+#include "gpu/vulkan_device.h"
 
 namespace morphgrid {
 

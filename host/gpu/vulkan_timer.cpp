@@ -1,4 +1,4 @@
-#include "gpu/call_timer.h"
+#include "gpu/vulkan_timer.h"
 
 namespace morphgrid {
 namespace {
@@ -14,7 +14,7 @@ void CallTimer::recordStart(const vk::raii::CommandBuffer& commands, const char*
   const std::size_t pool = names_.size() / kCallsPerPool;
   const auto call = static_cast<std::uint32_t>(names_.size() % kCallsPerPool);
   if (pool == pools_.size()) {
-    pools_.emplace_back(device_.handle(),
+    pools_.emplace_back(device_.handles().device,
                         vk::QueryPoolCreateInfo({}, vk::QueryType::eTimestamp, 2 * kCallsPerPool));
   }
   if (call == 0) {
@@ -31,7 +31,7 @@ void CallTimer::recordEnd(const vk::raii::CommandBuffer& commands) {
 }
 
 void CallTimer::collect(KernelProfile& profile) const {
-  const double secondsPerTick = 1e-9 * device_.nanosecondsPerTick();
+  const double secondsPerTick = 1e-9 * device_.handles().properties.limits.timestampPeriod;
   for (std::size_t first = 0; first < names_.size(); first += kCallsPerPool) {
     const std::size_t calls = std::min<std::size_t>(kCallsPerPool, names_.size() - first);
     const auto [result, ticks] = pools_[first / kCallsPerPool].getResults<std::uint64_t>(

@@ -7,14 +7,15 @@
 
 #include "gpu/resource_set.h"
 #include "gpu/shader_code.h"
+#include "gpu/vulkan_device.h"
 
 namespace morphgrid {
 
 /// A compute shader on its way to the device.
 struct KernelProgram {
   const char* name;  ///< Of its source file.
-  vk::raii::DescriptorSetLayout setLayout = nullptr;
-  vk::raii::PipelineLayout layout = nullptr;
+  ResourceLayout resources;
+  vk::raii::PipelineLayout layout;
   /// Compiled on a thread of its own. get() throws DeviceError when the device refuses.
   std::shared_future<vk::raii::Pipeline> pipeline;
 };

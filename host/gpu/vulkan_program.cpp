@@ -1,4 +1,4 @@
-#include "gpu/kernel_program.h"
+#include "gpu/vulkan_program.h"
 
 #include <fmt/format.h>
 
@@ -10,7 +10,7 @@ namespace {
 vk::raii::Pipeline createPipeline(const Device& device, ShaderCode spirv, vk::PipelineLayout layout,
                                   const std::vector<std::uint32_t>& specialization) try {
   const vk::raii::ShaderModule module(
-      device.handle(),
+      device.handles().device,
       vk::ShaderModuleCreateInfo({}, spirv.words.size_bytes(), spirv.words.data()));
   std::vector<vk::SpecializationMapEntry> entries;
   for (std::uint32_t n = 0; n < specialization.size(); ++n) {
@@ -25,7 +25,7 @@ vk::raii::Pipeline createPipeline(const Device& device, ShaderCode spirv, vk::Pi
   // Where a window shares the device, CommandStream cuts dispatches.
   const vk::PipelineCreateFlags flags =
       device.pace() ? vk::PipelineCreateFlagBits::eDispatchBase : vk::PipelineCreateFlags();
-  return {device.handle(), nullptr, vk::ComputePipelineCreateInfo(flags, stage, layout)};
+  return {device.handles().device, nullptr, vk::ComputePipelineCreateInfo(flags, stage, layout)};
 } catch (const vk::SystemError& error) {
   throw DeviceError(
       fmt::format("device {} cannot build a compute kernel: {}", device.name(), error.what()));
@@ -33,17 +33,20 @@ vk::raii::Pipeline createPipeline(const Device& device, ShaderCode spirv, vk::Pi
 
 KernelProgram compile(const Device& device, ShaderCode spirv,
                       const std::vector<ResourceSlot>& slots, std::uint32_t pushConstantBytes,
-                      const std::vector<std::uint32_t>& specialization) {
-  KernelProgram program{.name = spirv.name};
-  program.setLayout = createSetLayout(device, slots, vk::ShaderStageFlagBits::eCompute);
+                      const std::vector<std::uint32_t>& specialization) try {
+  ResourceLayout resources(device, slots, ShaderStage::compute);
+  const vk::DescriptorSetLayout set = resources.handle();
   const vk::PushConstantRange push(vk::ShaderStageFlagBits::eCompute, 0, pushConstantBytes);
-  program.layout = vk::raii::PipelineLayout(
-      device.handle(), vk::PipelineLayoutCreateInfo({}, 1, &*program.setLayout,
-                                                    pushConstantBytes > 0 ? 1 : 0, &push));
-  program.pipeline = std::async([&device, spirv, layout = *program.layout, specialization] {
+  vk::raii::PipelineLayout layout(
+      device.handles().device,
+      vk::PipelineLayoutCreateInfo({}, 1, &set, pushConstantBytes > 0 ? 1 : 0, &push));
+  auto pipeline = std::async([&device, spirv, layout = *layout, specialization] {
     return createPipeline(device, spirv, layout, specialization);
   });
-  return program;
+  return {spirv.name, std::move(resources), std::move(layout), std::move(pipeline)};
+} catch (const vk::SystemError& error) {
+  throw DeviceError(
+      fmt::format("device {} cannot build a compute kernel: {}", device.name(), error.what()));
 }
 
 }  // namespace

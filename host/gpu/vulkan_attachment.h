@@ -1,14 +1,15 @@
 #pragma once
-#include "gpu/device.h"
+#include "gpu/pixel_size.h"
+#include "gpu/vulkan_device.h"
 
 namespace morphgrid {
 
 /// An image to draw into, with memory of its own.
 class Attachment {
  public:
-  /// width, height > 0. Throws DeviceError when memory runs out or the device draws no image of
+  /// size > 0. Throws DeviceError when memory runs out or the device draws no image of
   /// this size and format.
-  Attachment(const Device& device, std::uint32_t width, std::uint32_t height, vk::Format format,
+  Attachment(const Device& device, PixelSize size, vk::Format format,
              vk::SampleCountFlagBits samples, vk::ImageUsageFlags usage);
 
   vk::Image handle() const { return *image_; }
