@@ -146,6 +146,8 @@ int figures(const Arguments& arguments) {
 int view(const Arguments& arguments) {
   // What is wrong with the scene is told here rather than in a window.
   const Scene scene = loadScene(arguments.scene, arguments.overrides);
+  TargetKeeper targets;
+  targets.targetOf(scene);
   const auto folder = outputFolderOf(arguments, scene);
   Window window({.title = scene.title});
   DeviceOptions options = arguments.device;
@@ -154,7 +156,8 @@ int view(const Arguments& arguments) {
   context.device = std::make_shared<Device>(options);
   installInterruptHandler();
   {
-    LiveRun session(context.device, {arguments.scene, arguments.overrides, folder, Window::wake});
+    LiveRun session(context.device, {arguments.scene, arguments.overrides, folder, Window::wake,
+                                     std::move(targets)});
     runViewer(*context.device, window, session,
               {.pictureFile = scene.name + "_view.png",
                .statisticsSeconds = arguments.statisticsSeconds});

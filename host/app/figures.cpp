@@ -89,14 +89,15 @@ std::vector<Panel> panelsOf(DrawnPanels drawn, const RunRecord& record, const Sh
   return panels;
 }
 
-FilmRecord film(const Scene& scene, RunContext& context, Simulation& simulation,
-                const FiguresOptions& options) {
+FilmRecord film(const Scene& scene, const SceneDesign& designed, RunContext& context,
+                Simulation& simulation, const FiguresOptions& options) {
   FilmRecord record;
   if (!options.film.wanted() || interruptRequested() || !simulation.stage.onDevice) {
     return record;
   }
-  context.attempt(
-      [&] { record = filmMorph(scene, *context.device, simulation, options.film, options.quiet); });
+  context.attempt([&] {
+    record = filmMorph(scene, designed, *context.device, simulation, options.film, options.quiet);
+  });
   return record;
 }
 
@@ -120,7 +121,7 @@ FiguresRecord makeFigures(Scene scene, const FiguresOptions& options) {
   Simulation simulation = simulateScene(scene, designed, context, keeper, options.quiet);
   writePng(options.sheet,
            composeSheet(panelsOf(std::move(drawn), simulation.record, sheet), sheet));
-  const FilmRecord filmed = film(scene, context, simulation, options);
+  const FilmRecord filmed = film(scene, designed, context, simulation, options);
   context.requireSilence();
   RunRecord& record = simulation.record;
   record.deviceFailure = context.failure;

@@ -95,7 +95,7 @@ void removeFramesFrom(const std::filesystem::path& folder, int frame) {
 }
 
 /// Shapes on the same grid, coloured by the strain to the designed lengths.
-void drawFrames(const Scene& scene, const Device& device, DeviceGrid& deviceGrid,
+void drawFrames(const Scene& scene, const View& view, const Device& device, DeviceGrid& deviceGrid,
                 const Shapes& shapes, const Placements& placements, const FilmOptions& options,
                 bool quiet) {
   PictureOptions picture{.width = scene.pictures.width,
@@ -103,8 +103,7 @@ void drawFrames(const Scene& scene, const Device& device, DeviceGrid& deviceGrid
                          .caption = {},
                          .legend = strainLegend()};
   const SceneSize size = sceneSize(picture);
-  const Camera camera =
-      frameShapes(shapes, placements, scene.mesh ? kMeshView : kPatchView, size.aspect());
+  const Camera camera = frameShapes(shapes, placements, view, size.aspect());
   StrainRenderer renderer(device, size.width, size.height);
   WebpAnimation animation(picture.width, picture.height);
   const int count = static_cast<int>(shapes.size());
@@ -170,8 +169,8 @@ FilmRecord recordOf(const MorphCourse& course, const Equilibrium& simulation) {
 
 }  // namespace
 
-FilmRecord filmMorph(const Scene& scene, const Device& device, Simulation& simulation,
-                     const FilmOptions& options, bool quiet) {
+FilmRecord filmMorph(const Scene& scene, const SceneDesign& designed, const Device& device,
+                     Simulation& simulation, const FilmOptions& options, bool quiet) {
   Stage& stage = simulation.stage;
   const MorphCourse course = follow(scene, device, stage.grid, options.frameCount - 1, quiet);
   if (interruptRequested()) {
@@ -180,7 +179,8 @@ FilmRecord filmMorph(const Scene& scene, const Device& device, Simulation& simul
   const Placements placements =
       placeShapes(course.positions, simulation.targetFromGrid * stage.equilibrium.positions);
   if (!options.framesFolder.empty() || !options.animation.empty()) {
-    drawFrames(scene, device, *stage.onDevice, course.positions, placements, options, quiet);
+    drawFrames(scene, designed.view(), device, *stage.onDevice, course.positions, placements,
+               options, quiet);
   }
   if (!options.gltf.empty() && !interruptRequested()) {
     writeGltf(options.gltf, stage.grid, course.positions, placements);

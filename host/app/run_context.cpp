@@ -27,8 +27,8 @@ RunContext createRunContext(const Scene& scene, const SceneDesign& designed,
     }
   }
   if (scene.pictures.enabled) {
-    context.pictures = std::make_unique<Pictures>(*context.device, picture, std::move(show),
-                                                  scene.mesh ? kMeshView : kPatchView);
+    context.pictures =
+        std::make_unique<Pictures>(*context.device, picture, std::move(show), designed.view());
   }
   return context;
 }

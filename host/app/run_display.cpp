@@ -46,11 +46,9 @@ void extend(Eigen::AlignedBox3d& box, const Matrix3Xd& points) {
   box.extend(points.rowwise().maxCoeff());
 }
 
-std::shared_ptr<const ShownSampling> samplingOf(const Scene& scene, const SceneDesign& designed) {
-  if (!designed.sampling) {
-    return nullptr;
-  }
-  return std::make_shared<ShownSampling>(ShownSampling{scene.mesh->mesh, designed.sampling->hits});
+/// It lives as long as its target.
+std::shared_ptr<const MeshSampling> samplingOf(const std::shared_ptr<const Target>& target) {
+  return target ? std::shared_ptr<const MeshSampling>(target, target->meshSampling()) : nullptr;
 }
 
 }  // namespace
@@ -69,7 +67,6 @@ void RunDisplay::showScene(const Scene& scene) {
   board_.post([&](Snapshot& next) {
     next.title = scene.title;
     next.knobs = keepRanges(knobsOf(scene), next.knobs);
-    next.view = scene.mesh ? kMeshView : kPatchView;
     next.maxShrinkage = scene.design.maxShrinkage;
   });
 }
@@ -93,8 +90,9 @@ std::optional<ShownGrid> RunDisplay::makeTarget(const GridShape& shape,
 void RunDisplay::showDesign(const Scene& scene, const SceneDesign& designed) {
   const RunRecord record = recordOf(scene, designed);
   const auto target = makeTarget(record.grid.shape, designed);
-  const auto sampling = samplingOf(scene, designed);
+  const auto sampling = samplingOf(designed.target);
   board_.post([&](Snapshot& next) {
+    next.view = designed.view();
     next.stages = {};
     next.sampling = sampling;
     slotOf(ShownStage::target, next) = target;

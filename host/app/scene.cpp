@@ -16,8 +16,6 @@ Scene readScene(TomlReader& reader, const std::filesystem::path& file) {
   scene.title = reader.root().text("title").value_or(scene.name);
   SceneTarget target = readSceneTarget(reader);
   scene.surface = std::move(target.surface);
-  scene.mesh = std::move(target.mesh);
-  scene.bendAngles = target.bendAngles;
   scene.design = target.design;
   scene.weights = readWeights(reader);
   SolverSettings solver = readSolverSettings(reader);

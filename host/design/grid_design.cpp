@@ -151,13 +151,13 @@ GridDesign designOnOffsets(const SurfaceMeasurement& measurement, const Eigen::M
   return design;
 }
 
-GridDesign designFromBendAngles(const BendAngleRequest& request) {
+GridDesign designFromBendAngles(const BendAngleRequest& request, int layers, double layerSpacing) {
   const int nodesU = request.nodesU;
   const int nodesV = request.nodesV;
   GridDesign design{nodesU,
                     nodesV,
-                    request.layers,
-                    request.layerSpacing,
+                    layers,
+                    layerSpacing,
                     request.spacing,
                     LateralField<double>(nodesU, nodesV, request.spacing),
                     LateralField<double>(nodesU, nodesV),
@@ -183,7 +183,7 @@ GridDesign designFromBendAngles(const BendAngleRequest& request) {
         fmt::format("bend angle, layer spacing {:g} and {} layers leave a strut of length {:g} "
                     "nothing (shrinkage "
                     "{:.4g} %, must be below 100 %); lower one of them",
-                    request.layerSpacing, request.layers, request.spacing, 100 * shrink));
+                    layerSpacing, layers, request.spacing, 100 * shrink));
   }
   return design;
 }

@@ -21,7 +21,8 @@ constexpr int kBlendSteps = 32;
 constexpr int kBisections = 20;
 
 Net blended(const Net& net, const Net& isolines, double share) {
-  return {net.nodesU, net.nodesV, (1 - share) * net.parameters + share * isolines.parameters};
+  return {net.nodesU, net.nodesV, (1 - share) * net.parameters + share * isolines.parameters,
+          net.kind};
 }
 
 double area(const Vector2d& a, const Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
@@ -60,7 +61,7 @@ double angleDeviation(const Vector3d& a, const Vector3d& b) {
 }  // namespace
 
 Net isolineNet(int nodesU, int nodesV) {
-  Net net{nodesU, nodesV, Eigen::Matrix2Xd(2, (nodesU + 1) * (nodesV + 1))};
+  Net net{nodesU, nodesV, Eigen::Matrix2Xd(2, (nodesU + 1) * (nodesV + 1)), NetKind::isoline};
   for (int j = 0; j <= nodesV; ++j) {
     for (int i = 0; i <= nodesU; ++i) {
       net.parameters.col(net.index(i, j)) << double(i) / nodesU, double(j) / nodesV;

@@ -23,6 +23,7 @@ struct Net {
   /// (u, v) of each vertex, of a patch or of a mesh's box, in [0, 1]^2; 2 x (nodesU+1)(nodesV+1),
   /// index j (nodesU+1) + i.
   Eigen::Matrix2Xd parameters;
+  NetKind kind = NetKind::orthogonal;  ///< isoline: the parameters are those of isolineNet().
 
   int index(int i, int j) const { return j * (nodesU + 1) + i; }
 };

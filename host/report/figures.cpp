@@ -6,7 +6,6 @@
 
 #include "core/bounding_diagonal.h"
 #include "core/rigid_alignment.h"
-#include "grid/surface_mesh.h"
 #include "solve/energy.h"
 #include "surface/closest_point.h"
 
@@ -14,10 +13,6 @@ namespace morphgrid {
 namespace {
 
 using Eigen::Matrix3Xd;
-
-/// Cells along u and v of the triangles that stand for the surface in closest-point queries: their
-/// sagitta is then far below the distances that are reported.
-constexpr int kTargetCells = 400;
 
 double meanAngleErrorPercent(const GridShape& shape, const Matrix3Xd& x) {
   double sum = 0;
@@ -96,19 +91,6 @@ TargetDistance computeTargetDistance(const Matrix3Xd& middle, const Matrix3Xd& t
   }
   return {rootMeanSquare(parametric), parametric.maxCoeff(), rootMeanSquare(closest),
           closest.maxCoeff(),         spreadOf(parametric),  spreadOf(closest)};
-}
-
-ClosestPointQuery closestPointsOf(const Surface& surface) {
-  constexpr int kPoints = kTargetCells + 1;
-  Matrix3Xd points(3, kPoints * kPoints);
-  for (int j = 0; j < kPoints; ++j) {
-    for (int i = 0; i < kPoints; ++i) {
-      points.col(j * kPoints + i) =
-          surface.point(double(i) / kTargetCells, double(j) / kTargetCells);
-    }
-  }
-  const SurfaceMesh mesh = tessellate(kPoints, kPoints, points, 1);
-  return {mesh.vertices, mesh.triangles};
 }
 
 }  // namespace morphgrid

@@ -46,7 +46,7 @@ const GridResources& SceneView::resourcesOf(const DrawnGrid& drawn) {
   return *held_.back().resources;
 }
 
-const SamplingDrawing& SceneView::drawingOf(const std::shared_ptr<const ShownSampling>& sampling,
+const SamplingDrawing& SceneView::drawingOf(const std::shared_ptr<const MeshSampling>& sampling,
                                             const Style& style) {
   if (sampling_ != sampling || samplingStyle_ != &style) {
     samplingDrawing_ = std::make_unique<SamplingDrawing>(
@@ -66,7 +66,7 @@ void SceneView::letGo() {
 
 void SceneView::record(const vk::raii::CommandBuffer& commands, std::size_t image, int samples,
                        const std::vector<DrawnGrid>& grids,
-                       const std::shared_ptr<const ShownSampling>& sampling, const Camera& camera,
+                       const std::shared_ptr<const MeshSampling>& sampling, const Camera& camera,
                        const SceneArea& area) {
   letGo();
   Style& style = styleOf(samples);

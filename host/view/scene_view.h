@@ -39,7 +39,7 @@ class SceneView {
   /// null. To be called when the last picture has been drawn: what only that one needed is let go.
   void record(const vk::raii::CommandBuffer& commands, std::size_t image, int samples,
               const std::vector<DrawnGrid>& grids,
-              const std::shared_ptr<const ShownSampling>& sampling, const Camera& camera,
+              const std::shared_ptr<const MeshSampling>& sampling, const Camera& camera,
               const SceneArea& area);
 
  private:
@@ -58,7 +58,7 @@ class SceneView {
 
   Style& styleOf(int samples);
   const Canvas& canvasOf(Style& style);
-  const SamplingDrawing& drawingOf(const std::shared_ptr<const ShownSampling>& sampling,
+  const SamplingDrawing& drawingOf(const std::shared_ptr<const MeshSampling>& sampling,
                                    const Style& style);
   const GridResources& resourcesOf(const DrawnGrid& drawn);
   void letGo();
@@ -67,7 +67,7 @@ class SceneView {
   vk::Format format_;
   std::map<int, std::unique_ptr<Style>> styles_;
   std::vector<Held> held_;
-  std::shared_ptr<const ShownSampling> sampling_;
+  std::shared_ptr<const MeshSampling> sampling_;
   std::unique_ptr<SamplingDrawing> samplingDrawing_;  ///< Of sampling_, for the style drawn last.
   const Style* samplingStyle_ = nullptr;
   vk::Extent2D size_;

@@ -7,7 +7,7 @@
 namespace morphgrid {
 namespace {
 
-GridDesign smallDesign() { return designFromBendAngles({3, 2, 3, 0.2, 1.5, 0.5, -0.5, 0.3, 0.3}); }
+GridDesign smallDesign() { return designFromBendAngles({3, 2, 1.5, 0.5, -0.5, 0.3, 0.3}, 3, 0.2); }
 
 TEST(InPlaneGrid, IsOneLayerOfSquareCells) {
   const StrutGrid grid = inPlaneGrid(smallDesign(), {}, Scaling::normalised);

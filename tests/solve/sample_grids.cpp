@@ -39,7 +39,7 @@ Eigen::Matrix3Xd shaken(const Eigen::Matrix3Xd& positions, double amount, unsign
 
 StrutGrid circularStrip(int nodes, int layers, double theta, double layerSpacing) {
   const GridDesign design =
-      designFromBendAngles({nodes, 2, layers, layerSpacing, 1.0, theta, theta, 0, 0});
+      designFromBendAngles({nodes, 2, 1.0, theta, theta, 0, 0}, layers, layerSpacing);
   const Weights weights;
   return stackedGrid(design, weights, Scaling::normalised,
                      inPlaneGrid(design, weights, Scaling::normalised).positions);

@@ -1,9 +1,8 @@
-#include "app/mesh_sampler.h"
+#include "target/mesh_sampler.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 
 #include "core/error.h"
@@ -14,14 +13,6 @@ namespace {
 
 /// How far to either side normals look, in shares of the box.
 constexpr double kNormalReach = 0.02;
-
-template <typename Work>
-auto timed(double& seconds, Work work) {
-  const auto start = std::chrono::steady_clock::now();
-  auto result = work();
-  seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  return result;
-}
 
 std::string inWords(const SamplingBox& box) {
   return fmt::format("u_start = {:.6g}, v_start = {:.6g}, u_length = {:.6g}, v_length = {:.6g}",
@@ -48,24 +39,13 @@ double interpolateX(const RayHits& lattice, const Eigen::Vector2d& parameters) {
 
 }  // namespace
 
-MeshSampler::MeshSampler(const MeshTarget& target, Cancellation cancellation)
-    : target_(target),
-      cancellation_(std::move(cancellation)),
-      caster_(timed(figures_.secondsBuild, [&] { return MeshRayCaster(target.mesh); })) {
-  figures_.file = target.file.string();
-  figures_.triangles = static_cast<int>(target.mesh.triangles.cols());
-  figures_.extent = boundingBox(target.mesh);
-  figures_.suggestedBox =
-      suggestBox(caster_, figures_.extent, target.samplesU, target.samplesV, target.steepestSlope);
-}
-
 RayHits MeshSampler::cast(int countU, int countV) {
-  RayHits hits = timed(figures_.secondsRays,
-                       [&] { return caster_.cast(target_.box, countU, countV, cancellation_); });
+  RayHits hits = addSeconds(figures_.secondsRays,
+                            [&] { return caster_.cast(rays_.box, countU, countV, cancellation_); });
   figures_.rays += static_cast<int>(hits.hit.size());
   figures_.missed += static_cast<int>(std::count(hits.hit.begin(), hits.hit.end(), 0));
-  if (target_.fillHoles > 0) {
-    fillHoles(hits, target_.fillHoles);
+  if (rays_.fillHoles > 0) {
+    fillHoles(hits, rays_.fillHoles);
   }
   requireHits(hits);
   requireGentleSteps(hits);
@@ -74,21 +54,21 @@ RayHits MeshSampler::cast(int countU, int countV) {
 
 Eigen::Matrix3Xd MeshSampler::castThrough(const Eigen::Matrix2Xd& parameters,
                                           const RayHits& lattice) {
-  const SamplingBox& box = target_.box;
+  const SamplingBox& box = rays_.box;
   const Eigen::Matrix2Xd places =
       (Eigen::Vector2d(box.uLength, box.vLength).asDiagonal() * parameters).colwise() +
       Eigen::Vector2d(box.uStart, box.vStart);
   Eigen::Matrix3Xd points =
-      timed(figures_.secondsRays, [&] { return caster_.castThrough(places, cancellation_); });
+      addSeconds(figures_.secondsRays, [&] { return caster_.castThrough(places, cancellation_); });
   figures_.rays += static_cast<int>(points.cols());
   for (Eigen::Index n = 0; n < points.cols(); ++n) {
     if (!std::isnan(points(0, n))) continue;
     ++figures_.missed;
-    if (target_.fillHoles <= 0) {
+    if (rays_.fillHoles <= 0) {
       throw InputError(fmt::format(
           "a ray of the net misses {} at u {:.6g}, v {:.6g}, in a hole between the rays "
           "sampled before; {}; or let surface.fill_holes close it",
-          figures_.file, places(0, n), places(1, n), boxAdvice()));
+          figures_.file, places(0, n), places(1, n), adviseOnBox(figures_)));
     }
     points(0, n) = interpolateX(lattice, parameters.col(n));
   }
@@ -120,16 +100,16 @@ void MeshSampler::requireHits(const RayHits& hits) const {
   for (const Hole& hole : holes) {
     missed += hole.rays;
   }
-  throw InputError(
-      fmt::format("{} of {} rays miss {} in {} {}, the largest of {}; {}; or let "
-                  "surface.fill_holes close holes "
-                  "up to a width",
-                  missed, hits.hit.size(), figures_.file, holes.size(),
-                  holes.size() == 1 ? "hole" : "holes", inWords(holes.front()), boxAdvice()));
+  throw InputError(fmt::format(
+      "{} of {} rays miss {} in {} {}, the largest of {}; {}; or let "
+      "surface.fill_holes close holes "
+      "up to a width",
+      missed, hits.hit.size(), figures_.file, holes.size(), holes.size() == 1 ? "hole" : "holes",
+      inWords(holes.front()), adviseOnBox(figures_)));
 }
 
 void MeshSampler::requireGentleSteps(const RayHits& hits) {
-  const Jump jump = findJump(hits, target_.steepestSlope);
+  const Jump jump = findJump(hits, rays_.steepestSlope);
   figures_.largestJump = std::max(figures_.largestJump, jump.slope);
   if (jump.count == 0) {
     return;
@@ -139,16 +119,15 @@ void MeshSampler::requireGentleSteps(const RayHits& hits) {
       "({:.4g}) at u {:.4g}, v {:.4g}: an overhang seen from the side? Choose a box without it or "
       "raise that limit; {}",
       jump.count, jump.count == 1 ? "step" : "steps", jump.count == 1 ? "is" : "are",
-      target_.steepestSlope, jump.slope, jump.u, jump.v, boxAdvice()));
+      rays_.steepestSlope, jump.slope, jump.u, jump.v, adviseOnBox(figures_)));
 }
 
-std::string MeshSampler::boxAdvice() const {
-  const Eigen::AlignedBox3d& extent = figures_.extent;
+std::string adviseOnBox(const MeshFigures& figures) {
+  const Eigen::AlignedBox3d& extent = figures.extent;
   return fmt::format("the mesh spans u {:.6g} to {:.6g}, v {:.6g} to {:.6g}; {}", extent.min().y(),
                      extent.max().y(), extent.min().z(), extent.max().z(),
-                     figures_.suggestedBox
-                         ? "a box without holes: " + inWords(*figures_.suggestedBox)
-                         : "no box without holes was found");
+                     figures.suggestedBox ? "a box without holes: " + inWords(*figures.suggestedBox)
+                                          : "no box without holes was found");
 }
 
 }  // namespace morphgrid
