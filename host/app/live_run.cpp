@@ -17,7 +17,7 @@ constexpr std::chrono::milliseconds kFilePatience(500);
 
 void requireRoom(const Device& device, const Scene& scene, const GridDesign& design) {
   const GridShape shape{design.nodesU + 1, design.nodesV + 1, design.layers};
-  if (const auto reason = explainOverflow(shape, scene.method, capacityOf(device))) {
+  if (const auto reason = explainOverflow(shape, workloadOf(scene), capacityOf(device))) {
     throw InputError(fmt::format("{}: {}", scene.file.string(), *reason));
   }
 }

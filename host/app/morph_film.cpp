@@ -52,7 +52,8 @@ class Counter {
 MorphCourse follow(const Scene& scene, const Device& device, const StrutGrid& grid, int steps,
                    bool quiet) {
   Counter counter("equilibrium", steps, quiet);
-  return followMorph(device, grid, {steps, scene.solve, [&](int step) { counter.tell(step); }});
+  MultigridSolver solver(device, grid);
+  return followMorph(solver, {steps, scene.solve, [&](int step) { counter.tell(step); }});
 }
 
 /// Motions that bring the last shape to `end`, and each other one to the one after it: nothing but

@@ -27,16 +27,16 @@ void writePicture(const std::filesystem::path& path, const Panel& panel, Picture
 }
 
 /// Throws InputError before anything is solved: nobody wants to learn it after hours.
-CheckpointKeeper checkpointKeeper(const Scene& scene, const GridDesign& design,
+CheckpointKeeper checkpointKeeper(const Scene& scene, const SceneDesign& designed,
                                   const RunOptions& options) {
-  const auto settings = checkpointSettings(scene, design);
-  CheckpointKeeper keeper(options.checkpoint, settings);
+  const ProblemIdentity problem = identifyProblem(scene, designed);
+  CheckpointKeeper keeper(options.checkpoint, problem);
   if (!options.checkpoint.file.empty()) {
     requireWritableCheckpoint(options.checkpoint.file);
   }
   if (!options.resumeFrom.empty()) {
     Checkpoint checkpoint = readCheckpoint(options.resumeFrom);
-    requireSameSettings(options.resumeFrom, checkpoint, settings);
+    requireSameProblem(options.resumeFrom, checkpoint, problem);
     keeper.resume(std::move(checkpoint));
   }
   return keeper;
@@ -68,7 +68,7 @@ RunRecord checkScene(const Scene& scene) { return recordOf(scene, designScene(sc
 
 void noteInsufficientDevice(const Scene& scene, RunRecord& record) {
   try {
-    const auto reason = explainOverflow(record.grid.shape, scene.method, capacityOf(Device()));
+    const auto reason = explainOverflow(record.grid.shape, workloadOf(scene), capacityOf(Device()));
     if (reason) {
       record.notices.push_back(*reason);
     }
@@ -80,7 +80,7 @@ void noteInsufficientDevice(const Scene& scene, RunRecord& record) {
 RunRecord runScene(const Scene& scene, const RunOptions& options) {
   const auto start = std::chrono::steady_clock::now();
   const SceneDesign designed = designScene(scene);
-  CheckpointKeeper keeper = checkpointKeeper(scene, designed.design, options);
+  CheckpointKeeper keeper = checkpointKeeper(scene, designed, options);
   const std::filesystem::path& folder = options.outputFolder;
   const PictureOptions picture{.width = scene.pictures.width, .height = scene.pictures.height};
   RunContext context = createRunContext(scene, designed, options.device, picture,

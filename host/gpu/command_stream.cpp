@@ -12,6 +12,7 @@ namespace morphgrid {
 namespace {
 
 constexpr const char* kCopy = "copy";
+constexpr const char* kClear = "clear";
 constexpr vk::DeviceSize kBytesOfGroup = 1 << 15;  // What copies count as workgroups.
 
 }  // namespace
@@ -116,6 +117,12 @@ void CommandStream::copy(const Buffer& from, const Buffer& to, vk::DeviceSize by
     });
     done += count;
   }
+}
+
+void CommandStream::clear(const Buffer& buffer) {
+  orderAfterPrevious();
+  count({kClear, static_cast<long>(buffer.bytes() / kBytesOfGroup)});
+  recordTimed(kClear, [&] { commands().fillBuffer(buffer.handle(), 0, VK_WHOLE_SIZE, 0); });
 }
 
 void CommandStream::end() {

@@ -28,6 +28,8 @@ class CommandStream {
 
   void copy(const Buffer& from, const Buffer& to, vk::DeviceSize bytes,
             vk::DeviceSize fromOffset = 0);
+  /// All its bytes become 0.
+  void clear(const Buffer& buffer);
   void end();
 
   /// Runs what was recorded and waits. Throws DeviceError when the device fails.

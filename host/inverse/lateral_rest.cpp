@@ -26,6 +26,14 @@ void LateralRest::set(StrutGrid& grid, const VectorXd& lengths) const {
   }
 }
 
+StrutValues LateralRest::replacedIn(const StrutGrid& grid, const VectorXd& lengths) const {
+  StrutValues rest = grid.rest;
+  for (Eigen::Index n = 0; n < size(); ++n) {
+    valueAt(rest, struts_[static_cast<std::size_t>(n)]) = lengths[n];
+  }
+  return rest;
+}
+
 VectorXd LateralRest::lengthsAt(const Matrix3Xd& positions) const {
   return VectorXd::NullaryExpr(size(), [&](Eigen::Index n) {
     const Strut& strut = struts_[static_cast<std::size_t>(n)];

@@ -17,6 +17,8 @@ class LateralRest {
 
   Eigen::VectorXd of(const StrutGrid& grid) const;
   void set(StrutGrid& grid, const Eigen::VectorXd& lengths) const;
+  /// grid.rest with these instead.
+  StrutValues replacedIn(const StrutGrid& grid, const Eigen::VectorXd& lengths) const;
 
   /// Distances of the struts' ends. positions: 3 x vertexCount.
   Eigen::VectorXd lengthsAt(const Eigen::Matrix3Xd& positions) const;

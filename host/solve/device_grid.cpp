@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cassert>
 #include <cmath>
 #include <limits>
 
@@ -124,6 +125,21 @@ DeviceGrid::DeviceGrid(const Device& device, const StrutGrid& grid)
   uploadPositions(grid.positions);
   uploadRest(grid.rest);
   upload(device, stiffness_, packStiffness(grid.stiffness));
+}
+
+void DeviceGrid::assign(const StrutGrid& grid) {
+  validate(grid);
+  assert(grid.shape == shape_);
+  spacing_ = grid.spacing;
+  angleWeight_ = grid.angleWeight;
+  restResolution_ = chooseRestResolution(grid);
+  origin_ = grid.positions.rowwise().mean();
+  stepsPerForce_ = (2 * StrutEnergy(grid).constraintWeights()).cwiseInverse();
+  uniformStiffness_ = findUniformStiffness(grid);
+  noteNewest(true);
+  uploadPositions(grid.positions);
+  uploadRest(grid.rest);
+  upload(device_, stiffness_, packStiffness(grid.stiffness));
 }
 
 void DeviceGrid::uploadPositions(const Eigen::Matrix3Xd& positions) {

@@ -54,6 +54,8 @@ class DeviceGrid {
   /// velocity).
   void uploadPositions(const Eigen::Matrix3Xd& positions);
   void uploadRest(const StrutValues& rest);
+  /// Takes another grid of the same shape. Not while others look on: they read what it changes.
+  void assign(const StrutGrid& grid);
   Eigen::Matrix3Xd downloadPositions() const { return downloadPositions(positions_); }
   /// From another buffer of such positions. Uploading them again gives the same bits.
   Eigen::Matrix3Xd downloadPositions(const Buffer& from) const;

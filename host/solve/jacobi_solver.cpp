@@ -125,7 +125,7 @@ void JacobiSolver::sweep(int count, bool precise) {
 class JacobiSolver::RunLog {
  public:
   RunLog(const SolveOptions& options, double energyScale)
-      : options_(options), pace_(options), energyScale_(energyScale) {
+      : options_(options), pace_(options.onCheckpoint), energyScale_(energyScale) {
     if (const auto& from = options.resumeFrom) {
       sweeps_ = static_cast<long>(from->iterations);
       start_ -=
@@ -187,7 +187,7 @@ class JacobiSolver::RunLog {
 
  private:
   const SolveOptions& options_;
-  CheckpointPace pace_;
+  CheckpointPace<SolveCheckpoint> pace_;
   double energyScale_;
   int loadStep_ = 0;
   Clock::time_point start_ = Clock::now();

@@ -121,7 +121,7 @@ Equilibrium solveReference(const StrutGrid& grid, const SolveOptions& options) {
     start -=
         std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(from->seconds));
   }
-  CheckpointPace pace(options);
+  CheckpointPace<SolveCheckpoint> pace(options.onCheckpoint);
   StrutEnergy::Value value = energy.evaluate(result.positions);
   double bestResidual = std::numeric_limits<double>::infinity();
   long bestIteration = result.iterations;
