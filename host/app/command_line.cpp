@@ -12,6 +12,7 @@
 #include "core/error.h"
 #include "core/interrupt.h"
 #include "report/report_table.h"
+#include "state/run_state.h"
 #include "view/viewer.h"
 
 namespace morphgrid {
@@ -33,6 +34,7 @@ Examples:
   morphgrid run scenes/face.toml --set grid.nodes_long=600 --resume face.checkpoint
   morphgrid check scenes/patch.toml --set grid.layer_spacing=30
   morphgrid figures scenes/egg_chair.toml --animation egg_chair.webp
+  morphgrid figures out/egg_chair
   morphgrid view scenes/egg_chair.toml
   morphgrid devices
 
@@ -65,7 +67,17 @@ void logNotices(const RunRecord& record) {
   }
 }
 
+/// Where a scene is needed, a finished run will not do.
+void requireScene(const Arguments& arguments) {
+  if (const auto file = findState(arguments.scene)) {
+    throw InputError(fmt::format(
+        "{}: is a finished run: see it with morphgrid figures; this command takes its scene: {}",
+        arguments.scene.string(), readState(*file).sceneFile.string()));
+  }
+}
+
 int check(const Arguments& arguments) {
+  requireScene(arguments);
   const Scene scene = loadScene(arguments.scene, arguments.overrides);
   RunRecord record = checkScene(scene);
   noteInsufficientDevice(scene, record);
@@ -107,8 +119,12 @@ void tellFailure(const RunRecord& record, const std::filesystem::path& folder,
 }
 
 int run(const Arguments& arguments) {
-  Scene scene = loadScene(arguments.scene, arguments.overrides);
-  scene.smallestEigenvalue |= arguments.smallestEigenvalue;
+  requireScene(arguments);
+  std::vector<std::string> overrides = arguments.overrides;
+  if (arguments.smallestEigenvalue) {
+    overrides.emplace_back("solver.smallest_eigenvalue=true");
+  }
+  const Scene scene = loadScene(arguments.scene, overrides);
   const auto folder = outputFolderOf(arguments, scene);
   installInterruptHandler();
   const RunRecord record = runScene(scene, {folder, arguments.device, arguments.quiet,
@@ -123,27 +139,56 @@ int run(const Arguments& arguments) {
   return conclude(record);
 }
 
+void requireNoOverrides(const Arguments& arguments) {
+  if (!arguments.overrides.empty()) {
+    throw InputError(fmt::format(
+        "{}: is a finished run, which --set cannot change; give its scene: {}",
+        arguments.scene.string(), readState(*findState(arguments.scene)).sceneFile.string()));
+  }
+}
+
+/// A finished run that had not come to rest.
+int concludeState(const RunRecord& record) {
+  const Equilibrium& last = record.full ? *record.full : *record.inPlane;
+  if (last.converged && record.inPlane->converged) {
+    return kConverged;
+  }
+  spdlog::warn("the run did not converge ({}): this is where it stood", toString(last.reason));
+  return kNotConverged;
+}
+
 int figures(const Arguments& arguments) {
-  const Scene scene = loadScene(arguments.scene, arguments.overrides);
-  const auto sheet = arguments.sheet.empty()
-                         ? std::filesystem::path("out") / scene.name / "figures.png"
-                         : arguments.sheet;
+  const auto state = findState(arguments.scene);
+  FiguresOptions options{arguments.sheet, arguments.film, arguments.device, arguments.quiet};
+  FiguresRecord record;
   installInterruptHandler();
-  const FiguresRecord record =
-      makeFigures(scene, {sheet, arguments.film, arguments.device, arguments.quiet});
+  if (state) {
+    requireNoOverrides(arguments);
+    if (options.sheet.empty()) options.sheet = state->parent_path() / "figures.png";
+    record = makeFigures(*state, options);
+  } else {
+    const Scene scene = loadScene(arguments.scene, arguments.overrides);
+    if (options.sheet.empty()) {
+      options.sheet = std::filesystem::path("out") / scene.name / "figures.png";
+    }
+    record = makeFigures(scene, options);
+  }
   if (!arguments.quiet) {
     logNotices(record.run);
-    fmt::print("{}figures in {}\n", toTable(record.run), sheet.string());
+    fmt::print("{}figures in {}\n", toTable(record.run), options.sheet.string());
   }
   if (record.run.deviceFailure) {
     fmt::print(stderr, "device failure: {}\nwhat was drawn before is in {}\n",
-               *record.run.deviceFailure, sheet.string());
+               *record.run.deviceFailure, options.sheet.string());
   }
-  const int exitCode = interruptRequested() ? kInterrupted : conclude(record.run);
+  const int exitCode = interruptRequested() ? kInterrupted
+                       : state              ? concludeState(record.run)
+                                            : conclude(record.run);
   return exitCode == kConverged && !record.morphConverged ? kNotConverged : exitCode;
 }
 
 int view(const Arguments& arguments) {
+  requireScene(arguments);
   // What is wrong with the scene is told here rather than in a window.
   const Scene scene = loadScene(arguments.scene, arguments.overrides);
   const auto folder = outputFolderOf(arguments, scene);
@@ -172,7 +217,12 @@ int printDevices() {
 }
 
 void addSceneArguments(CLI::App& command, Arguments& arguments) {
-  command.add_option("SCENE", arguments.scene, "scene file, see docs/scene_format.md")->required();
+  command
+      .add_option(
+          "SCENE", arguments.scene,
+          "scene file, see docs/scene_format.md; for figures also a finished run: its folder "
+          "or its state.safetensors")
+      ->required();
   command
       .add_option("--set", arguments.overrides,
                   "override a key of the scene, e.g. --set grid.layers=4; may be repeated")

@@ -5,6 +5,7 @@
 #include <chrono>
 
 #include "app/device_capacity.h"
+#include "app/restored_run.h"
 #include "app/simulate_scene.h"
 #include "core/atomic_file.h"
 #include "core/create_folder.h"
@@ -104,6 +105,9 @@ RunRecord runScene(const Scene& scene, const RunOptions& options) {
                         toInversePlot(*record.inverse, scene.design.maxShrinkage));
   }
   writeFileAtomically(folder / "report.json", toJson(record));
+  if (scene.files.state) {
+    writeState(folder / kStateFile, stateOf(scene, designed, simulation));
+  }
   // Last: the files of a large grid may exceed what their formats or the disk hold.
   exportFiles(simulation.stage, simulation.targetFromGrid, scene.files, folder);
   return std::move(record);

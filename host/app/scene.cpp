@@ -4,6 +4,7 @@
 
 #include "app/scene_settings.h"
 #include "app/scene_target.h"
+#include "app/scene_text.h"
 #include "core/error.h"
 #include "core/toml_reader.h"
 
@@ -49,14 +50,23 @@ void requireWhatInverseDesignNeeds(const Scene& scene) {
   }
 }
 
-}  // namespace
-
-Scene loadScene(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
-  TomlReader reader(file, parseToml(file, overrides));
+Scene readChecked(const std::filesystem::path& file, const toml::table& document) {
+  TomlReader reader(file, document);
   Scene scene = readScene(reader, file);
   reader.problems.throwIfAny();
   requireWhatInverseDesignNeeds(scene);
+  scene.text = sceneText(file, document);
   return scene;
+}
+
+}  // namespace
+
+Scene loadScene(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
+  return readChecked(file, parseToml(file, overrides));
+}
+
+Scene loadSceneText(const std::string& text, const std::filesystem::path& file) {
+  return readChecked(file, parseTomlText(text, file));
 }
 
 std::vector<std::string> knownSceneKeys() {

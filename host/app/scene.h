@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "app/mesh_target.h"
-#include "design/grid_design.h"
 #include "design/build_grids.h"
+#include "design/grid_design.h"
 #include "report/run_record.h"
 #include "solve/equilibrium.h"
 #include "surface/surface.h"
@@ -27,6 +27,7 @@ struct FileChoices {
   bool vtu = true;
   bool ply = true;
   bool obj = true;
+  bool state = true;
 };
 
 /// One scene file, read and checked. Exactly one of surface, mesh and bendAngles is set.
@@ -34,6 +35,7 @@ struct Scene {
   std::string name;   ///< The file's stem.
   std::string title;  ///< For people; the name when the file has none.
   std::filesystem::path file;
+  std::string text;  ///< The whole scene, see sceneText().
   std::shared_ptr<const Surface> surface;
   std::shared_ptr<const MeshTarget> mesh;
   std::optional<BendAngleRequest> bendAngles;
@@ -52,6 +54,9 @@ struct Scene {
 /// before the checks. Throws InputError with every problem of the file, one a line, each as
 /// `file:line:column: what is wrong, what is allowed, what was found`.
 Scene loadScene(const std::filesystem::path& file, const std::vector<std::string>& overrides = {});
+
+/// The same of a text that stands alone, see sceneText(); file: what errors name.
+Scene loadSceneText(const std::string& text, const std::filesystem::path& file);
 
 /// The dotted names of all keys that a scene file may hold, in the order of the documentation.
 std::vector<std::string> knownSceneKeys();

@@ -133,10 +133,8 @@ std::optional<InverseDesign> Stages::improve(Stage& stage, const Eigen::Matrix3X
 
 Stage Stages::runInPlane(const GridDesign& design) {
   Stage stage = prepare(inPlaneGrid(design, scene_.weights, scene_.scaling));
-  context_.draw([&](Pictures& pictures) {
-    pictures.drawFlat("initial", "initial: one layer of square cells", *stage.onDevice,
-                      stage.grid.positions);
-  });
+  context_.draw(
+      [&](Pictures& pictures) { pictures.drawInitial(*stage.onDevice, stage.grid.positions); });
   if (keeper_.inPlane()) {
     stage.equilibrium = *keeper_.inPlane();
   } else {
@@ -146,8 +144,7 @@ Stage Stages::runInPlane(const GridDesign& design) {
   showOnDevice(stage);
   assessStability(stage, Motions::inPlane);
   context_.draw([&](Pictures& pictures) {
-    pictures.drawFlat("in_plane", "in plane: the layer to be printed", *stage.onDevice,
-                      stage.equilibrium.positions);
+    pictures.drawInPlane(*stage.onDevice, stage.equilibrium.positions);
   });
   return stage;
 }
@@ -164,10 +161,8 @@ Stage Stages::runFull(const GridDesign& design, const Eigen::Matrix3Xd& printedL
   }
   Stage stage = prepare(std::move(grid));
   stage.printScale = printScale;
-  context_.draw([&](Pictures& pictures) {
-    pictures.drawFlat("stacked", "stacked: all layers, before the morph", *stage.onDevice,
-                      stage.grid.positions);
-  });
+  context_.draw(
+      [&](Pictures& pictures) { pictures.drawStacked(*stage.onDevice, stage.grid.positions); });
   solve(stage, "full", context_.nearFull);
   showOnDevice(stage);
   assessStability(stage, Motions::inSpace);
