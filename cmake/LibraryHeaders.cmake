@@ -11,9 +11,8 @@ function(library_headers name)
   morphgrid_compile_options(${name})
 endfunction()
 
-set(often_included <Eigen/Geometry> <filesystem> <fmt/format.h> <fstream> <functional> <nlohmann/json.hpp>
-            <vulkan/vulkan_raii.hpp>)
-set(their_libraries Eigen3::Eigen fmt::fmt nlohmann_json::nlohmann_json spdlog::spdlog Vulkan::Vulkan)
+set(often_included <Eigen/Geometry> <filesystem> <fmt/format.h> <fstream> <functional> <nlohmann/json.hpp>)
+set(their_libraries Eigen3::Eigen fmt::fmt nlohmann_json::nlohmann_json spdlog::spdlog)
 library_headers(module_headers ${often_included} LIBRARIES ${their_libraries})
 library_headers(test_headers ${often_included} <gmock/gmock.h> <gtest/gtest.h> LIBRARIES ${their_libraries} GTest::gmock)
 

@@ -5,6 +5,7 @@ function(morphgrid_module name)
   list(FILTER sources EXCLUDE REGEX "/main\\.cpp$")
   set(target morphgrid_${name})
   add_library(${target} STATIC ${sources})
+  morphgrid_batches(${target})
   # A module sees its own folder and, through its dependencies, theirs: nothing else.
   set(view ${CMAKE_BINARY_DIR}/include/${name})
   file(MAKE_DIRECTORY ${view})

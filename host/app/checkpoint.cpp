@@ -1,246 +1,219 @@
 #include "app/checkpoint.h"
 
 #include <fmt/format.h>
-#include <zlib.h>
 
-#include <cstring>
 #include <fstream>
-#include <limits>
-#include <nlohmann/json.hpp>
-#include <span>
+#include <utility>
 
-#include "app/design_scene.h"
 #include "core/atomic_file.h"
+#include "core/binary_file.h"
 #include "core/error.h"
-#include "core/read_file.h"
 
 namespace morphgrid {
 namespace {
 
-using nlohmann::ordered_json;
+constexpr BinaryFormat kCheckpointFormat{
+    "checkpoint", 2, "resume from another one that --checkpoint wrote, or start anew"};
 
-// The file: this line with the version, a line of JSON, doubles, and the CRC-32 of all that.
-constexpr std::string_view kMagic = "morphgrid checkpoint ";
-constexpr int kVersion = 1;
-constexpr std::size_t kSampleDoubles = 5;
+constexpr std::size_t kSampleBytes = 5 * sizeof(double);
+constexpr std::size_t kStepBytes = 9 * sizeof(double);
 
-[[noreturn]] void refuse(const std::filesystem::path& file, std::string_view why) {
-  throw InputError(fmt::format("{}: {}", file.string(), why));
-}
-
-std::uint32_t checksum(std::string_view bytes) {
-  return static_cast<std::uint32_t>(
-      crc32_z(0, reinterpret_cast<const Bytef*>(bytes.data()), bytes.size()));
-}
-
-std::string digest(const std::vector<double>& a, const std::vector<double>& b) {
-  const auto bytes = [](const std::vector<double>& values) {
-    return std::string_view(reinterpret_cast<const char*>(values.data()),
-                            values.size() * sizeof(double));
-  };
-  return fmt::format("{:08x}{:08x}", checksum(bytes(a)), checksum(bytes(b)));
-}
-
-void append(std::string& bytes, std::span<const double> values) {
-  bytes.append(reinterpret_cast<const char*>(values.data()), values.size_bytes());
-}
-
-void append(std::string& bytes, const Eigen::Matrix3Xd& positions,
-            const std::vector<ConvergenceSample>& history) {
-  append(bytes, {positions.data(), static_cast<std::size_t>(positions.size())});
+void addHistory(BinaryWriter& writer, const std::vector<ConvergenceSample>& history) {
+  writer.integer(static_cast<std::int64_t>(history.size()));
   for (const ConvergenceSample& s : history) {
-    const double values[kSampleDoubles] = {static_cast<double>(s.iteration), s.energy, s.residual,
-                                           s.seconds, s.gridShare};
-    append(bytes, values);
+    writer.integer(s.iteration).number(s.energy).number(s.residual);
+    writer.number(s.seconds).number(s.gridShare);
   }
 }
 
-ordered_json headerOf(const Checkpoint& checkpoint) {
-  const SolveCheckpoint& solve = checkpoint.solve;
-  ordered_json header{{"settings", checkpoint.settings},
-                      {"solve",
-                       {{"phase", solve.phase},
-                        {"iterations", solve.iterations},
-                        {"seconds", solve.seconds},
-                        {"positions", solve.positions.cols()},
-                        {"samples", solve.history.size()}}}};
-  if (checkpoint.inPlane) {
-    const Equilibrium& inPlane = *checkpoint.inPlane;
-    header["in_plane"] = {{"iterations", inPlane.iterations},
-                          {"converged", inPlane.converged},
-                          {"reason", static_cast<int>(inPlane.reason)},
-                          {"residual", inPlane.residual},
-                          {"energy", inPlane.energy},
-                          {"seconds", inPlane.seconds},
-                          {"positions", inPlane.positions.cols()},
-                          {"samples", inPlane.history.size()}};
+std::vector<ConvergenceSample> takeHistory(BinaryReader& reader) {
+  std::vector<ConvergenceSample> history(reader.count(kSampleBytes));
+  for (ConvergenceSample& s : history) {
+    s.iteration = reader.integer();
+    s.energy = reader.number();
+    s.residual = reader.number();
+    s.seconds = reader.number();
+    s.gridShare = reader.number();
   }
-  return header;
+  return history;
 }
 
-/// Takes doubles off the front of what is left of a file.
-class DoubleReader {
- public:
-  explicit DoubleReader(std::string_view bytes) : bytes_(bytes) {}
+void add(BinaryWriter& writer, const Equilibrium& equilibrium) {
+  writer.points(equilibrium.positions).integer(equilibrium.iterations);
+  writer.integer(equilibrium.converged ? 1 : 0).integer(static_cast<int>(equilibrium.reason));
+  writer.number(equilibrium.residual).number(equilibrium.energy).number(equilibrium.seconds);
+  addHistory(writer, equilibrium.history);
+}
 
-  /// Throws std::length_error when fewer than `count` are left.
-  void take(std::size_t count, double* values) {
-    if (count > bytes_.size() / sizeof(double)) {
-      throw std::length_error("fewer numbers than announced");
-    }
-    std::memcpy(values, bytes_.data(), count * sizeof(double));
-    bytes_.remove_prefix(count * sizeof(double));
+Equilibrium takeEquilibrium(BinaryReader& reader) {
+  Equilibrium equilibrium;
+  equilibrium.positions = reader.points();
+  equilibrium.iterations = reader.integer();
+  equilibrium.converged = reader.integer(0, 1) == 1;
+  equilibrium.reason = static_cast<StopReason>(
+      reader.integer(0, static_cast<std::int64_t>(StopReason::deviceFailure)));
+  equilibrium.residual = reader.number();
+  equilibrium.energy = reader.number();
+  equilibrium.seconds = reader.number();
+  equilibrium.history = takeHistory(reader);
+  return equilibrium;
+}
+
+void add(BinaryWriter& writer, const SolveCheckpoint& solve) {
+  writer.integer(solve.phase).points(solve.positions);
+  writer.number(solve.iterations).number(solve.seconds);
+  addHistory(writer, solve.history);
+}
+
+SolveCheckpoint takeSolve(BinaryReader& reader) {
+  SolveCheckpoint solve;
+  solve.phase = static_cast<int>(reader.integer(0, 1 << 20));
+  solve.positions = reader.points();
+  solve.iterations = reader.number();
+  solve.seconds = reader.number();
+  solve.history = takeHistory(reader);
+  return solve;
+}
+
+void add(BinaryWriter& writer, const InverseStep& step) {
+  writer.integer(static_cast<int>(step.kind)).integer(step.number);
+  writer.number(step.rmsPercent).number(step.maxPercent).number(step.largestShrinkPercent);
+  writer.integer(step.strutsAtBound).integer(step.cycles).integer(step.adjointProducts);
+  writer.number(step.seconds);
+}
+
+InverseStep takeStep(BinaryReader& reader) {
+  InverseStep step{};
+  step.kind = static_cast<InverseStep::Kind>(
+      reader.integer(0, static_cast<std::int64_t>(InverseStep::Kind::optimise)));
+  step.number = static_cast<int>(reader.integer(0, std::int64_t{1} << 30));
+  step.rmsPercent = reader.number();
+  step.maxPercent = reader.number();
+  step.largestShrinkPercent = reader.number();
+  step.strutsAtBound = reader.integer();
+  step.cycles = reader.integer();
+  step.adjointProducts = static_cast<int>(reader.integer(0, std::int64_t{1} << 30));
+  step.seconds = reader.number();
+  return step;
+}
+
+void add(BinaryWriter& writer, const InverseCheckpoint& inverse) {
+  writer.integer(inverse.compensated ? 1 : 0);
+  for (const InverseCheckpoint::Design* design : {&inverse.present, &inverse.kept}) {
+    writer.numbers(design->rest);
+    add(writer, design->equilibrium);
   }
-  bool atEnd() const { return bytes_.empty(); }
-  std::size_t left() const { return bytes_.size() / sizeof(double); }
-
- private:
-  std::string_view bytes_;
-};
-
-/// The positions and samples that `announced` counts.
-void take(DoubleReader& reader, const ordered_json& announced, Eigen::Matrix3Xd& positions,
-          std::vector<ConvergenceSample>& history) {
-  const auto columns = announced.at("positions").get<std::size_t>();
-  const auto samples = announced.at("samples").get<std::size_t>();
-  if (columns > reader.left() || samples > reader.left()) {
-    throw std::length_error("fewer numbers than announced");
+  writer.integer(static_cast<std::int64_t>(inverse.keptSteps));
+  writer.integer(static_cast<std::int64_t>(inverse.steps.size()));
+  for (const InverseStep& step : inverse.steps) {
+    add(writer, step);
   }
-  positions.resize(3, static_cast<Eigen::Index>(columns));
-  reader.take(3 * columns, positions.data());
-  for (std::size_t n = 0; n < samples; ++n) {
-    double values[kSampleDoubles];
-    reader.take(kSampleDoubles, values);
-    history.push_back({static_cast<long>(values[0]), values[1], values[2], values[3], values[4]});
+  writer.numbers(inverse.objectives);
+  writer.integer(static_cast<std::int64_t>(inverse.pairs.size()));
+  for (const BoundedLbfgs::Pair& pair : inverse.pairs) {
+    writer.numbers(pair.step).numbers(pair.change);
   }
 }
 
-Equilibrium takeInPlane(DoubleReader& reader, const ordered_json& announced) {
-  Equilibrium inPlane;
-  inPlane.iterations = announced.at("iterations").get<long>();
-  inPlane.converged = announced.at("converged").get<bool>();
-  inPlane.reason = static_cast<StopReason>(announced.at("reason").get<int>());
-  inPlane.residual = announced.at("residual").get<double>();
-  inPlane.energy = announced.at("energy").get<double>();
-  inPlane.seconds = announced.at("seconds").get<double>();
-  take(reader, announced, inPlane.positions, inPlane.history);
-  return inPlane;
+InverseCheckpoint takeInverse(BinaryReader& reader) {
+  InverseCheckpoint inverse;
+  inverse.compensated = reader.integer(0, 1) == 1;
+  for (InverseCheckpoint::Design* design : {&inverse.present, &inverse.kept}) {
+    design->rest = reader.vector();
+    design->equilibrium = takeEquilibrium(reader);
+  }
+  inverse.keptSteps = static_cast<std::size_t>(reader.integer(0, std::int64_t{1} << 30));
+  for (std::size_t left = reader.count(kStepBytes); left > 0; --left) {
+    inverse.steps.push_back(takeStep(reader));
+  }
+  inverse.objectives = reader.numbers();
+  for (std::size_t left = reader.count(2 * sizeof(std::int64_t)); left > 0; --left) {
+    BoundedLbfgs::Pair pair;
+    pair.step = reader.vector();
+    pair.change = reader.vector();
+    inverse.pairs.push_back(std::move(pair));
+  }
+  return inverse;
 }
 
-/// What lies between the magic line and the checksum. Throws when it contradicts itself.
-Checkpoint parse(std::string_view content) {
-  const auto end = content.find('\n');
-  const auto header = ordered_json::parse(content.substr(0, end));
-  DoubleReader reader(content.substr(end + 1));
-  Checkpoint checkpoint;
-  checkpoint.settings = header.at("settings").get<std::map<std::string, std::string>>();
-  if (header.contains("in_plane")) {
-    checkpoint.inPlane = takeInPlane(reader, header.at("in_plane"));
+void add(BinaryWriter& writer, const ProblemIdentity& problem) {
+  writer.text(problem.digest).integer(static_cast<std::int64_t>(problem.settings.size()));
+  for (const auto& [name, value] : problem.settings) {
+    writer.text(name).text(value);
   }
-  const ordered_json& solve = header.at("solve");
-  checkpoint.solve.phase = solve.at("phase").get<int>();
-  checkpoint.solve.iterations = solve.at("iterations").get<double>();
-  checkpoint.solve.seconds = solve.at("seconds").get<double>();
-  take(reader, solve, checkpoint.solve.positions, checkpoint.solve.history);
-  if (!reader.atEnd()) {
-    throw std::length_error("more numbers than announced");
-  }
-  return checkpoint;
 }
 
-bool isCheckpoint(const std::filesystem::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  std::string start(kMagic.size(), '\0');
-  stream.read(start.data(), static_cast<std::streamsize>(start.size()));
-  return stream && start == kMagic;
+ProblemIdentity takeProblem(BinaryReader& reader) {
+  ProblemIdentity problem{reader.text(), {}};
+  for (std::size_t left = reader.count(2 * sizeof(std::int64_t)); left > 0; --left) {
+    std::string name = reader.text();
+    problem.settings.emplace(std::move(name), reader.text());
+  }
+  return problem;
+}
+
+template <typename T>
+void addOptional(BinaryWriter& writer, const std::optional<T>& value) {
+  writer.integer(value ? 1 : 0);
+  if (value) {
+    add(writer, *value);
+  }
+}
+
+template <typename Take>
+auto takeOptional(BinaryReader& reader, const Take& take) {
+  return reader.integer(0, 1) == 1 ? std::optional(take(reader)) : std::nullopt;
 }
 
 }  // namespace
 
-std::map<std::string, std::string> checkpointSettings(const Scene& scene,
-                                                      const GridDesign& design) {
-  return {
-      {"nodes", fmt::format("{} x {}", design.nodesU, design.nodesV)},
-      {"layers", fmt::format("{}", design.layers)},
-      {"layer spacing", fmt::format("{}", design.layerSpacing)},
-      {"spacing", fmt::format("{}", design.spacing)},
-      {"lengths (digest)", digest(design.lengths.allU(), design.lengths.allV())},
-      {"bend angles (digest)", digest(design.bendAngles.allU(), design.bendAngles.allV())},
-      {"weights", fmt::format("lateral {}, vertical {}, angle {}", scene.weights.lateral,
-                              scene.weights.vertical, scene.weights.angle)},
-      {"scaling", nameOf(scene.scaling)},
-      {"method", nameOf(scene.method)},
-  };
-}
-
 void writeCheckpoint(const std::filesystem::path& file, const Checkpoint& checkpoint) {
-  std::string bytes = fmt::format("{}{}\n{}\n", kMagic, kVersion, headerOf(checkpoint).dump());
-  if (checkpoint.inPlane) {
-    append(bytes, checkpoint.inPlane->positions, checkpoint.inPlane->history);
-  }
-  append(bytes, checkpoint.solve.positions, checkpoint.solve.history);
-  const std::uint32_t sum = checksum(bytes);
-  bytes.append(reinterpret_cast<const char*>(&sum), sizeof(sum));
-  writeFileAtomically(file, bytes);
+  BinaryWriter writer;
+  add(writer, checkpoint.problem);
+  addOptional(writer, checkpoint.inPlane);
+  addOptional(writer, checkpoint.full);
+  addOptional(writer, checkpoint.solve);
+  addOptional(writer, checkpoint.inverse);
+  writeBinaryFile(file, kCheckpointFormat, writer);
 }
 
 Checkpoint readCheckpoint(const std::filesystem::path& file) {
-  const std::string bytes = readFile(file);
-  if (!bytes.starts_with(kMagic)) {
-    refuse(file, "is no checkpoint of morphgrid; --resume takes what --checkpoint wrote");
-  }
-  constexpr const char* kDamaged =
-      "the checkpoint is damaged or cut short; resume from another one or start anew";
-  const auto end = bytes.find('\n');
-  if (end == std::string::npos) {
-    refuse(file, kDamaged);
-  }
-  const std::string version = bytes.substr(kMagic.size(), end - kMagic.size());
-  if (version != std::to_string(kVersion)) {
-    refuse(file, fmt::format("the checkpoint has format {}, this morphgrid reads format {}; resume "
-                             "with the version that wrote it or start anew",
-                             version, kVersion));
-  }
-  std::uint32_t sum = 0;
-  const auto content = std::string_view(bytes).substr(0, bytes.size() - sizeof(sum));
-  std::memcpy(&sum, bytes.data() + content.size(), sizeof(sum));
-  if (checksum(content) != sum) {
-    refuse(file, kDamaged);
-  }
-  try {
-    return parse(content.substr(end + 1));
-  } catch (const std::exception&) {
-    refuse(file, kDamaged);
-  }
+  return readBinaryFile(file, kCheckpointFormat, [](BinaryReader& reader) {
+    Checkpoint checkpoint;
+    checkpoint.problem = takeProblem(reader);
+    checkpoint.inPlane = takeOptional(reader, takeEquilibrium);
+    checkpoint.full = takeOptional(reader, takeEquilibrium);
+    checkpoint.solve = takeOptional(reader, takeSolve);
+    checkpoint.inverse = takeOptional(reader, takeInverse);
+    return checkpoint;
+  });
 }
 
-void requireSameSettings(const std::filesystem::path& file, const Checkpoint& checkpoint,
-                         const std::map<std::string, std::string>& settings) {
-  std::string differences;
-  for (const auto& [name, wanted] : settings) {
-    const auto found = checkpoint.settings.find(name);
-    const std::string had = found == checkpoint.settings.end() ? "unknown" : found->second;
-    if (had != wanted) {
-      differences +=
-          fmt::format("\n  {}: {} in the checkpoint, {} in the scene", name, had, wanted);
-    }
-  }
-  if (!differences.empty()) {
-    refuse(file, fmt::format("the checkpoint is of another scene or of other settings; give those "
-                             "that it was written with, or start anew{}",
-                             differences));
+void requireSameProblem(const std::filesystem::path& file, const Checkpoint& checkpoint,
+                        const ProblemIdentity& problem) {
+  if (checkpoint.problem.digest != problem.digest) {
+    throw InputError(
+        fmt::format("{}: the checkpoint is of another scene or of other settings; "
+                    "give those that it was written with, or start anew; what "
+                    "differs:{}",
+                    file.string(), describeDifferences(checkpoint.problem, problem)));
   }
 }
 
 void requireWritableCheckpoint(const std::filesystem::path& file) {
   std::error_code ignored;  // What cannot be looked at cannot be written either.
-  if (std::filesystem::exists(file, ignored) && !isCheckpoint(file)) {
-    refuse(file,
-           "is there and no checkpoint; --checkpoint does not overwrite it: give another name");
+  if (std::filesystem::exists(file, ignored) && !isBinaryFile(file, kCheckpointFormat)) {
+    throw InputError(
+        fmt::format("{}: is there and no checkpoint; --checkpoint does not overwrite "
+                    "it: give another name",
+                    file.string()));
   }
   const PendingFile probe(file);
   if (!std::ofstream(probe.path())) {
-    refuse(file, "no checkpoint can be written there: is the folder there and writable?");
+    throw InputError(
+        fmt::format("{}: no checkpoint can be written there: is the folder there and "
+                    "writable?",
+                    file.string()));
   }
 }
 

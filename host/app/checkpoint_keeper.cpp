@@ -6,13 +6,14 @@
 
 namespace morphgrid {
 
-CheckpointKeeper::CheckpointKeeper(CheckpointOptions options,
-                                   std::map<std::string, std::string> settings)
-    : options_(std::move(options)), settings_(std::move(settings)) {}
+CheckpointKeeper::CheckpointKeeper(CheckpointOptions options, ProblemIdentity problem)
+    : options_(std::move(options)), problem_(std::move(problem)) {}
 
 void CheckpointKeeper::resume(Checkpoint checkpoint) {
   inPlane_ = std::move(checkpoint.inPlane);
+  full_ = std::move(checkpoint.full);
   latest_ = std::move(checkpoint.solve);
+  inverse_ = std::move(checkpoint.inverse);
 }
 
 void CheckpointKeeper::keep(SolveCheckpoint solve) {
@@ -20,6 +21,15 @@ void CheckpointKeeper::keep(SolveCheckpoint solve) {
     return;
   }
   latest_ = std::move(solve);
+  saveWhenDue();
+}
+
+void CheckpointKeeper::keep(InverseCheckpoint inverse) {
+  inverse_ = std::move(inverse);
+  saveWhenDue();
+}
+
+void CheckpointKeeper::saveWhenDue() {
   const std::chrono::duration<double> pause = Clock::now() - lastSaved_;
   if (pause.count() >= 60 * options_.minutes) {
     save();
@@ -39,13 +49,24 @@ void CheckpointKeeper::beginFullStage(const Equilibrium& inPlane) {
   latest_.reset();
 }
 
+void CheckpointKeeper::beginInverseDesign(const Equilibrium& full) {
+  full_ = full;
+  latest_.reset();
+}
+
+void CheckpointKeeper::endInverseDesign(bool early) {
+  if (early) {
+    save();
+  }
+}
+
 void CheckpointKeeper::save() {
-  if (options_.file.empty() || !latest_) {
+  if (options_.file.empty() || !(latest_ || inverse_)) {
     return;
   }
   // A full disk must not end a long solve; it may have room the next time.
   try {
-    writeCheckpoint(options_.file, {settings_, inPlane_, *latest_});
+    writeCheckpoint(options_.file, {problem_, inPlane_, full_, latest_, inverse_});
   } catch (const InputError& error) {
     spdlog::warn(error.what());
   }

@@ -13,33 +13,45 @@ struct CheckpointOptions {
 /// Where a run stands: in memory, and every so often in a file.
 class CheckpointKeeper {
  public:
-  CheckpointKeeper(CheckpointOptions options, std::map<std::string, std::string> settings);
+  CheckpointKeeper(CheckpointOptions options, ProblemIdentity problem);
 
   /// Goes on from there.
   void resume(Checkpoint checkpoint);
 
   /// The stage in the plane, once it is over.
   const std::optional<Equilibrium>& inPlane() const { return inPlane_; }
+  /// The full stage, once inverse design has begun.
+  const std::optional<Equilibrium>& full() const { return full_; }
   /// Of the stage that runs; nothing when it has only begun.
   const std::optional<SolveCheckpoint>& latest() const { return latest_; }
+  /// Of inverse design; nothing when it has only begun.
+  const std::optional<InverseCheckpoint>& inverse() const { return inverse_; }
 
-  /// Writes the file when it is due.
+  /// Write the file when it is due.
   void keep(SolveCheckpoint solve);
+  void keep(InverseCheckpoint inverse);
   /// A solve is over. Writes the file now if it did not converge; nothing more is kept if the run
   /// has to end here.
   void endSolve(const Equilibrium& result);
   /// From here on it is the full stage that is solved.
   void beginFullStage(const Equilibrium& inPlane);
+  /// From here on it is inverse design that runs.
+  void beginInverseDesign(const Equilibrium& full);
+  /// Inverse design is over. Writes the file now if it ended early.
+  void endInverseDesign(bool early);
 
  private:
   using Clock = std::chrono::steady_clock;
 
+  void saveWhenDue();
   void save();
 
   CheckpointOptions options_;
-  std::map<std::string, std::string> settings_;
+  ProblemIdentity problem_;
   std::optional<Equilibrium> inPlane_;
+  std::optional<Equilibrium> full_;
   std::optional<SolveCheckpoint> latest_;
+  std::optional<InverseCheckpoint> inverse_;
   Clock::time_point lastSaved_ = Clock::now();
   bool ended_ = false;
 };

@@ -9,8 +9,10 @@
 #include "app/figures.h"
 #include "app/live_run.h"
 #include "app/pipeline.h"
+#include "app/state_argument.h"
 #include "core/error.h"
 #include "core/interrupt.h"
+#include "gpu/device_failure.h"
 #include "report/report_table.h"
 #include "view/viewer.h"
 
@@ -33,6 +35,7 @@ Examples:
   morphgrid run scenes/face.toml --set grid.nodes_long=600 --resume face.checkpoint
   morphgrid check scenes/patch.toml --set grid.layer_spacing=30
   morphgrid figures scenes/egg_chair.toml --animation egg_chair.webp
+  morphgrid figures out/egg_chair
   morphgrid view scenes/egg_chair.toml
   morphgrid devices
 
@@ -66,6 +69,7 @@ void logNotices(const RunRecord& record) {
 }
 
 int check(const Arguments& arguments) {
+  refuseFinishedRun(arguments.scene);
   const Scene scene = loadScene(arguments.scene, arguments.overrides);
   RunRecord record = checkScene(scene);
   noteInsufficientDevice(scene, record);
@@ -107,8 +111,12 @@ void tellFailure(const RunRecord& record, const std::filesystem::path& folder,
 }
 
 int run(const Arguments& arguments) {
-  Scene scene = loadScene(arguments.scene, arguments.overrides);
-  scene.smallestEigenvalue |= arguments.smallestEigenvalue;
+  refuseFinishedRun(arguments.scene);
+  std::vector<std::string> overrides = arguments.overrides;
+  if (arguments.smallestEigenvalue) {
+    overrides.emplace_back("solver.smallest_eigenvalue=true");
+  }
+  const Scene scene = loadScene(arguments.scene, overrides);
   const auto folder = outputFolderOf(arguments, scene);
   installInterruptHandler();
   const RunRecord record = runScene(scene, {folder, arguments.device, arguments.quiet,
@@ -123,29 +131,52 @@ int run(const Arguments& arguments) {
   return conclude(record);
 }
 
+/// A finished run that had not come to rest.
+int concludeState(const RunRecord& record) {
+  const Equilibrium& last = record.full ? *record.full : *record.inPlane;
+  if (last.converged && record.inPlane->converged) {
+    return kConverged;
+  }
+  spdlog::warn("the run did not converge ({}): this is where it stood", toString(last.reason));
+  return kNotConverged;
+}
+
 int figures(const Arguments& arguments) {
-  const Scene scene = loadScene(arguments.scene, arguments.overrides);
-  const auto sheet = arguments.sheet.empty()
-                         ? std::filesystem::path("out") / scene.name / "figures.png"
-                         : arguments.sheet;
+  const auto state = findState(arguments.scene);
+  FiguresOptions options{arguments.sheet, arguments.film, arguments.device, arguments.quiet};
+  FiguresRecord record;
   installInterruptHandler();
-  const FiguresRecord record =
-      makeFigures(scene, {sheet, arguments.film, arguments.device, arguments.quiet});
+  if (state) {
+    refuseOverrides(arguments.scene, *state, arguments.overrides);
+    if (options.sheet.empty()) options.sheet = state->parent_path() / "figures.png";
+    record = makeFigures(*state, options);
+  } else {
+    const Scene scene = loadScene(arguments.scene, arguments.overrides);
+    if (options.sheet.empty()) {
+      options.sheet = std::filesystem::path("out") / scene.name / "figures.png";
+    }
+    record = makeFigures(scene, options);
+  }
   if (!arguments.quiet) {
     logNotices(record.run);
-    fmt::print("{}figures in {}\n", toTable(record.run), sheet.string());
+    fmt::print("{}figures in {}\n", toTable(record.run), options.sheet.string());
   }
   if (record.run.deviceFailure) {
     fmt::print(stderr, "device failure: {}\nwhat was drawn before is in {}\n",
-               *record.run.deviceFailure, sheet.string());
+               *record.run.deviceFailure, options.sheet.string());
   }
-  const int exitCode = interruptRequested() ? kInterrupted : conclude(record.run);
+  const int exitCode = interruptRequested() ? kInterrupted
+                       : state              ? concludeState(record.run)
+                                            : conclude(record.run);
   return exitCode == kConverged && !record.morphConverged ? kNotConverged : exitCode;
 }
 
 int view(const Arguments& arguments) {
+  refuseFinishedRun(arguments.scene);
   // What is wrong with the scene is told here rather than in a window.
   const Scene scene = loadScene(arguments.scene, arguments.overrides);
+  TargetKeeper targets;
+  targets.targetOf(scene);
   const auto folder = outputFolderOf(arguments, scene);
   Window window({.title = scene.title});
   DeviceOptions options = arguments.device;
@@ -154,7 +185,8 @@ int view(const Arguments& arguments) {
   context.device = std::make_shared<Device>(options);
   installInterruptHandler();
   {
-    LiveRun session(context.device, {arguments.scene, arguments.overrides, folder, Window::wake});
+    LiveRun session(context.device, {arguments.scene, arguments.overrides, folder, Window::wake,
+                                     std::move(targets)});
     runViewer(*context.device, window, session,
               {.pictureFile = scene.name + "_view.png",
                .statisticsSeconds = arguments.statisticsSeconds});
@@ -172,7 +204,12 @@ int printDevices() {
 }
 
 void addSceneArguments(CLI::App& command, Arguments& arguments) {
-  command.add_option("SCENE", arguments.scene, "scene file, see docs/scene_format.md")->required();
+  command
+      .add_option(
+          "SCENE", arguments.scene,
+          "scene file, see docs/scene_format.md; for figures also a finished run: its folder "
+          "or its state.safetensors")
+      ->required();
   command
       .add_option("--set", arguments.overrides,
                   "override a key of the scene, e.g. --set grid.layers=4; may be repeated")
@@ -228,7 +265,10 @@ int guarded(const std::function<int()>& work) {
   } catch (const DeviceError& error) {
     fmt::print(stderr, "device failure: {}\n", error.what());
     return kDeviceFailure;
-  } catch (const vk::SystemError& error) {
+  } catch (const std::system_error& error) {
+    if (!isDeviceFailure(error)) {
+      throw;
+    }
     fmt::print(stderr, "device failure: {}\n", error.what());
     return kDeviceFailure;
   } catch (const Cancelled&) {

@@ -2,26 +2,18 @@
 
 #include <fmt/format.h>
 
-#include <functional>
-
-#include "app/mesh_sampler.h"
 #include "core/error.h"
-#include "measure/lattice_measurement.h"
 #include "measure/orthogonal_net.h"
 
 namespace morphgrid {
 namespace {
 
-/// Points along u and v of the lattice that a target is mapped from.
-constexpr int kMapPoints = 161;
+/// Along u and v, of the net that a target is mapped from.
+constexpr int kMapNodes = 160;
 
-/// What a design asks of a target, be it a patch or a mesh.
-struct SampledTarget {
-  std::function<PointLattice(int countU, int countV)> lattice;  ///< At even parameters.
-  NetPoints points;
-  std::function<Eigen::Matrix3Xd(const Net&)> normals;
-  std::function<SurfaceMeasurement(const PointLattice& netPoints, double curvatureLimit)> measure;
-};
+Cancellation cancellationOf(const Scene& scene) {
+  return Cancellation([&] { return scene.solve.stopRequested(); });
+}
 
 struct ChosenNet {
   Net net;
@@ -58,75 +50,33 @@ void addNotices(std::vector<std::string>& notices, const ChosenNet& chosen,
   notices.insert(notices.end(), design.notices.begin(), design.notices.end());
 }
 
-SceneDesign designMeasured(const SurfaceSurvey& survey, const DesignRequest& request,
-                           const SampledTarget& target) {
+SceneDesign designFor(const std::shared_ptr<const Target>& target, const DesignRequest& request,
+                      const Cancellation& cancellation) {
+  const std::unique_ptr<TargetSampler> sampler = target->sampler(cancellation);
+  const SurfaceSurvey& survey = target->survey();
   std::optional<ConformalMap> map;
   if (request.net == NetKind::orthogonal) {
-    map = mapConformally(target.lattice(kMapPoints, kMapPoints));
+    map = mapConformally(sampler->points(isolineNet(kMapNodes, kMapNodes)));
   }
   const GridSize size =
       chooseGridSize(survey, request, map ? std::optional(map->modulus) : std::nullopt);
-  const ChosenNet chosen = chooseNet(map, size, request, target.points);
-  SurfaceMeasurement measurement = target.measure(chosen.points, size.curvatureLimit);
+  const ChosenNet chosen =
+      chooseNet(map, size, request, [&](const Net& net) { return sampler->points(net); });
+  SurfaceMeasurement measurement = sampler->measure(chosen.net, chosen.points, size.curvatureLimit);
   SceneDesign designed{
+      target,
       request.reference == Reference::convex
           ? designGrid(measurement, size, request.layers)
-          : designOnOffsets(measurement, target.normals(chosen.net), size, request.layers),
+          : designOnOffsets(measurement, sampler->normals(chosen.net), size, request.layers),
       MeasurementFigures{survey.longestIsolineU, survey.longestIsolineV, survey.largestCurvature(),
                          size.layerSpacingLimit, size.fewestNodes,
                          listCutoffConsequences(survey, request), suggestCutoff(survey, request),
-                         std::nullopt},
+                         target->curvatureNoise()},
       chosen.figures,
       std::move(measurement.points),
-      std::nullopt,
+      sampler->meshFigures(),
       size.notices};
   addNotices(designed.notices, chosen, request, designed.design);
-  return designed;
-}
-
-SceneDesign designFromSurface(const Surface& surface, const DesignRequest& request,
-                              const Cancellation& cancellation) {
-  const auto points = [&](const Net& net) {
-    cancellation.check();
-    return PointLattice{net.nodesU + 1, net.nodesV + 1, pointsAt(surface, net.parameters)};
-  };
-  return designMeasured(
-      surveySurface(surface, cancellation), request,
-      {.lattice = [&](int countU,
-                      int countV) { return points(isolineNet(countU - 1, countV - 1)); },
-       .points = points,
-       .normals = [&](const Net& net) { return normalsAt(surface, net.parameters); },
-       .measure =
-           [&](const PointLattice& netPoints, double curvatureLimit) {
-             return request.net == NetKind::isoline
-                        ? measureSurface(surface, netPoints.countU - 1, netPoints.countV - 1,
-                                         curvatureLimit, cancellation)
-                        : measureLattice(netPoints, curvatureLimit, 0, cancellation);
-           }});
-}
-
-SceneDesign designFromMesh(const MeshTarget& target, const DesignRequest& request,
-                           const Cancellation& cancellation) {
-  MeshSampler sampler(target, cancellation);
-  RayHits hits = sampler.cast(target.samplesU, target.samplesV);
-  const LatticeSurvey survey = surveyLattice(hits.lattice(), target.smoothingWidth, cancellation);
-  const auto points = [&](const Net& net) {
-    if (request.net == NetKind::isoline) {
-      return sampler.cast(net.nodesU + 1, net.nodesV + 1).lattice();
-    }
-    return PointLattice{net.nodesU + 1, net.nodesV + 1, sampler.castThrough(net.parameters, hits)};
-  };
-  SceneDesign designed = designMeasured(
-      survey.survey, request,
-      {.lattice = [&](int countU, int countV) { return sampler.cast(countU, countV).lattice(); },
-       .points = points,
-       .normals = [&](const Net& net) { return sampler.normals(net.parameters, hits); },
-       .measure =
-           [&](const PointLattice& netPoints, double curvatureLimit) {
-             return measureLattice(netPoints, curvatureLimit, target.smoothingWidth, cancellation);
-           }});
-  designed.measurement->curvatureNoise = survey.curvatureNoise;
-  designed.sampling = MeshSampling{std::move(hits), sampler.figures()};
   return designed;
 }
 
@@ -148,19 +98,21 @@ const char* nameOf(Scaling scaling) {
   return scaling == Scaling::normalised ? "normalised" : "shapeop";
 }
 
-SceneDesign designScene(const Scene& scene) {
-  const Cancellation cancellation([&] { return scene.solve.stopRequested(); });
+SceneDesign designScene(const Scene& scene, const std::shared_ptr<const Target>& target) {
   try {
-    if (scene.surface) {
-      return designFromSurface(*scene.surface, scene.design, cancellation);
+    if (target) {
+      return designFor(target, scene.design, cancellationOf(scene));
     }
-    if (scene.mesh) {
-      return designFromMesh(*scene.mesh, scene.design, cancellation);
-    }
-    return {designFromBendAngles(*scene.bendAngles), {}, {}, {}, {}, {}};
+    const auto& bendAngles = std::get<BendAngleRequest>(scene.surface);
+    return {nullptr,
+            designFromBendAngles(bendAngles, scene.design.layers, scene.design.layerSpacing)};
   } catch (const InputError& error) {
     throw InputError(fmt::format("{}: {}", scene.file.string(), error.what()));
   }
+}
+
+SceneDesign designScene(const Scene& scene) {
+  return designScene(scene, loadTarget(scene, cancellationOf(scene)));
 }
 
 RunRecord recordOf(const Scene& scene, const SceneDesign& designed) {
@@ -176,9 +128,7 @@ RunRecord recordOf(const Scene& scene, const SceneDesign& designed) {
                  100 * largestBendShrink(design)};
   record.measurement = designed.measurement;
   record.net = designed.net;
-  if (designed.sampling) {
-    record.mesh = designed.sampling->figures;
-  }
+  record.mesh = designed.mesh;
   record.published = scene.published;
   record.notices = designed.notices;
   return record;

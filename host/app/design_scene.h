@@ -1,26 +1,27 @@
 #pragma once
-#include "app/scene.h"
+#include "app/load_target.h"
 
 namespace morphgrid {
 
-/// How rays sampled a mesh in the first pass.
-struct MeshSampling {
-  RayHits hits;
-  MeshFigures figures;
-};
-
 /// The inverse design of a scene, and what was measured for it.
 struct SceneDesign {
+  std::shared_ptr<const Target> target;  ///< None for grids given by bend angles.
   GridDesign design;
-  std::optional<MeasurementFigures> measurement;  ///< Not for grids given by bend angles.
+  std::optional<MeasurementFigures> measurement;  ///< Of a target.
   std::optional<NetFigures> net;                  ///< As above.
   std::optional<Eigen::Matrix3Xd> targets;  ///< Of the middle layer's vertices, in index order.
-  std::optional<MeshSampling> sampling;     ///< Only of meshes.
+  std::optional<MeshFigures> mesh;          ///< Only of meshes.
   std::vector<std::string> notices;         ///< What was clamped or overridden.
+  View ownView = kPatchView;                ///< Where there is no target to say it.
+
+  /// From where the morphed grid is seen best.
+  View view() const { return target ? target->view() : ownView; }
 };
 
-/// Measures the surface and designs the grid. Throws InputError when they cannot be had, Cancelled
-/// when scene.solve is requested to stop.
+/// Measures the scene's target, see loadTarget(), and designs the grid. Throws InputError when they
+/// cannot be had, Cancelled when scene.solve is requested to stop.
+SceneDesign designScene(const Scene& scene, const std::shared_ptr<const Target>& target);
+/// Loads the target, too.
 SceneDesign designScene(const Scene& scene);
 
 /// As scene files call them.

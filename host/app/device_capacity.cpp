@@ -12,8 +12,11 @@
 namespace morphgrid {
 namespace {
 
-SolveMemory memoryFor(const GridShape& shape, Method method) {
-  return method == Method::jacobi ? jacobiMemory(shape) : multigridMemory(shape);
+SolveMemory memoryFor(const GridShape& shape, const Workload& work) {
+  if (work.inverseDesign) {
+    return inverseDesignMemory(shape);
+  }
+  return work.method == Method::jacobi ? jacobiMemory(shape) : multigridMemory(shape);
 }
 
 double vertexCount(const GridShape& shape) {
@@ -23,9 +26,9 @@ double vertexCount(const GridShape& shape) {
 std::string gigabytes(std::uint64_t bytes) { return fmt::format("{:.3g} GB", bytes / 1e9); }
 
 /// "" when nothing is.
-std::string describeShortfall(const GridShape& shape, Method method,
+std::string describeShortfall(const GridShape& shape, const Workload& work,
                               const DeviceCapacity& capacity) {
-  const SolveMemory needed = memoryFor(shape, method);
+  const SolveMemory needed = memoryFor(shape, work);
   const AvailableMemory& available = capacity.memory;
   if (available.shared && needed.device + needed.host > available.host) {
     return fmt::format("{} of memory, {} are free", gigabytes(needed.device + needed.host),
@@ -71,12 +74,13 @@ GridShape scaled(const GridShape& shape, int nodesLong) {
   return {vertices(nodesU), vertices(nodesV), shape.layers};
 }
 
-GridShape largestThatFits(const GridShape& shape, Method method, const DeviceCapacity& capacity) {
+GridShape largestThatFits(const GridShape& shape, const Workload& work,
+                          const DeviceCapacity& capacity) {
   int fits = 1;
   int tooMany = std::max(shape.verticesU, shape.verticesV) - 1;
   while (tooMany - fits > 1) {
     const int middle = fits + (tooMany - fits) / 2;
-    (describeShortfall(scaled(shape, middle), method, capacity).empty() ? fits : tooMany) = middle;
+    (describeShortfall(scaled(shape, middle), work, capacity).empty() ? fits : tooMany) = middle;
   }
   return scaled(shape, fits);
 }
@@ -84,14 +88,9 @@ GridShape largestThatFits(const GridShape& shape, Method method, const DeviceCap
 }  // namespace
 
 DeviceCapacity capacityOf(const Device& device) {
-  const vk::PhysicalDeviceLimits& limits = device.limits();
-  const auto maintenance =
-      device.physical()
-          .getProperties2<vk::PhysicalDeviceProperties2, vk::PhysicalDeviceMaintenance3Properties>()
-          .get<vk::PhysicalDeviceMaintenance3Properties>();
-  const std::uint64_t largestBuffer =
-      std::min(std::uint64_t{limits.maxTexelBufferElements} * sizeof(vec4),
-               std::uint64_t{maintenance.maxMemoryAllocationSize});
+  const DeviceLimits& limits = device.limits();
+  const std::uint64_t largestBuffer = std::min(
+      std::uint64_t{limits.maxTexelBufferElements} * sizeof(vec4), limits.maxMemoryAllocationSize);
   return {device.name(),
           availableMemory(device),
           largestBuffer,
@@ -101,16 +100,23 @@ DeviceCapacity capacityOf(const Device& device) {
           limits.maxComputeWorkGroupCount[1]};
 }
 
-std::optional<std::string> explainOverflow(const GridShape& shape, Method method,
+Workload workloadOf(const Scene& scene) {
+  const DesignRequest& design = scene.design;
+  return {scene.method,
+          scene.method == Method::multigrid &&
+              (design.compensateRounds + design.optimiseSteps > 0 || design.enforceShrinkage)};
+}
+
+std::optional<std::string> explainOverflow(const GridShape& shape, const Workload& work,
                                            const DeviceCapacity& capacity) {
-  if (method == Method::reference) {
+  if (work.method == Method::reference) {
     return std::nullopt;
   }
-  const std::string shortfall = describeShortfall(shape, method, capacity);
+  const std::string shortfall = describeShortfall(shape, work, capacity);
   if (shortfall.empty()) {
     return std::nullopt;
   }
-  const GridShape largest = largestThatFits(shape, method, capacity);
+  const GridShape largest = largestThatFits(shape, work, capacity);
   return fmt::format(
       "a grid of {} x {} nodes in {} layers ({:.0f} vertices) needs {}; {} x {} nodes ({:.0f} "
       "vertices) would fit: set {} along the longer edge",

@@ -20,9 +20,17 @@ struct DeviceCapacity {
 
 DeviceCapacity capacityOf(const Device& device);
 
-/// Why a grid cannot be solved there, and the largest of its proportions that can; nothing when it
-/// can, or for Method::reference, which needs no device.
-std::optional<std::string> explainOverflow(const GridShape& shape, Method method,
+/// What is to be done with a grid.
+struct Workload {
+  Method method;
+  bool inverseDesign = false;  ///< After the solve.
+};
+
+Workload workloadOf(const Scene& scene);
+
+/// Why that cannot be done there, and the largest grid of the same proportions for which it can;
+/// nothing when it can, or for Method::reference, which needs no device.
+std::optional<std::string> explainOverflow(const GridShape& shape, const Workload& work,
                                            const DeviceCapacity& capacity);
 
 }  // namespace morphgrid

@@ -5,6 +5,7 @@
 #include <fstream>
 #include <map>
 
+#include "app/restored_run.h"
 #include "core/atomic_file.h"
 #include "core/create_folder.h"
 #include "core/error.h"
@@ -89,23 +90,22 @@ std::vector<Panel> panelsOf(DrawnPanels drawn, const RunRecord& record, const Sh
   return panels;
 }
 
-FilmRecord film(const Scene& scene, RunContext& context, Simulation& simulation,
-                const FiguresOptions& options) {
+FilmRecord film(const Scene& scene, const SceneDesign& designed, RunContext& context,
+                Simulation& simulation, const FiguresOptions& options) {
   FilmRecord record;
   if (!options.film.wanted() || interruptRequested() || !simulation.stage.onDevice) {
     return record;
   }
-  context.attempt(
-      [&] { record = filmMorph(scene, *context.device, simulation, options.film, options.quiet); });
+  context.attempt([&] {
+    record = filmMorph(scene, designed, *context.device, simulation, options.film, options.quiet);
+  });
   return record;
 }
 
-}  // namespace
-
-FiguresRecord makeFigures(Scene scene, const FiguresOptions& options) {
-  requireNames(options);
-  scene.pictures.enabled = true;
-  const SceneDesign designed = designScene(scene);
+/// simulate(RunContext&) gives the Simulation and draws on the way.
+template <typename Simulate>
+FiguresRecord makeSheet(const Scene& scene, const SceneDesign& designed,
+                        const FiguresOptions& options, const Simulate& simulate) {
   requireMorph(scene, designed, options.film);
   const SheetOptions sheet = sheetFor(scene);
   sheetSize(sheet, std::size(kPanelNames));  // A sheet too large is told before the solve,
@@ -116,16 +116,39 @@ FiguresRecord makeFigures(Scene scene, const FiguresOptions& options) {
                        [&](const std::string& name, const Panel& panel) { drawn[name] = panel; });
   requireWritable(options);
 
-  CheckpointKeeper keeper({}, {});
-  Simulation simulation = simulateScene(scene, designed, context, keeper, options.quiet);
+  Simulation simulation = simulate(context);
   writePng(options.sheet,
            composeSheet(panelsOf(std::move(drawn), simulation.record, sheet), sheet));
-  const FilmRecord filmed = film(scene, context, simulation, options);
+  const FilmRecord filmed = film(scene, designed, context, simulation, options);
   context.requireSilence();
   RunRecord& record = simulation.record;
-  record.deviceFailure = context.failure;
+  if (context.failure) {
+    record.deviceFailure = context.failure;
+  }
   record.notices.insert(record.notices.end(), filmed.notices.begin(), filmed.notices.end());
   return {std::move(record), filmed.converged};
+}
+
+}  // namespace
+
+FiguresRecord makeFigures(Scene scene, const FiguresOptions& options) {
+  requireNames(options);
+  scene.pictures.enabled = true;
+  const SceneDesign designed = designScene(scene);
+  return makeSheet(scene, designed, options, [&](RunContext& context) {
+    CheckpointKeeper keeper({}, {});
+    return simulateScene(scene, designed, context, keeper, options.quiet);
+  });
+}
+
+FiguresRecord makeFigures(const std::filesystem::path& state, const FiguresOptions& options) {
+  requireNames(options);
+  RestoredRun run = restoreRun(state);
+  run.scene.pictures.enabled = true;
+  return makeSheet(run.scene, run.designed, options, [&](RunContext& context) {
+    drawAgain(run, context);
+    return std::move(run.simulation);
+  });
 }
 
 }  // namespace morphgrid

@@ -24,4 +24,8 @@ struct FiguresRecord {
 /// DeviceError when there is no device that will do.
 FiguresRecord makeFigures(Scene scene, const FiguresOptions& options);
 
+/// The same of a finished run, of which nothing is solved again but the way of the morph. Throws
+/// InputError also when the state cannot be read.
+FiguresRecord makeFigures(const std::filesystem::path& state, const FiguresOptions& options);
+
 }  // namespace morphgrid

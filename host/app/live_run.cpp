@@ -17,7 +17,7 @@ constexpr std::chrono::milliseconds kFilePatience(500);
 
 void requireRoom(const Device& device, const Scene& scene, const GridDesign& design) {
   const GridShape shape{design.nodesU + 1, design.nodesV + 1, design.layers};
-  if (const auto reason = explainOverflow(shape, scene.method, capacityOf(device))) {
+  if (const auto reason = explainOverflow(shape, workloadOf(scene), capacityOf(device))) {
     throw InputError(fmt::format("{}: {}", scene.file.string(), *reason));
   }
 }
@@ -114,6 +114,11 @@ bool LiveRun::isCancelled() const {
   return demand_ || isEnding_;
 }
 
+bool LiveRun::isEnding() const {
+  const std::lock_guard lock(mutex_);
+  return isEnding_;
+}
+
 void LiveRun::work() {
   while (awaitDemand()) {
     workOnce();
@@ -163,7 +168,9 @@ void LiveRun::run(const Overrides& overrides, Start start) {
   scene.solve.isCancelled = [this] { return isCancelled(); };
   files_ = scene.files;
   display_.showScene(scene);
-  const SceneDesign designed = designScene(scene);
+  // Turning knobs meanwhile does not end it: they leave the target as it is.
+  const Cancellation ending([this] { return isEnding(); });
+  const SceneDesign designed = designScene(scene, options_.targets.targetOf(scene, ending));
   requireRoom(*device_, scene, designed.design);
   display_.showDesign(scene, designed);
   simulate(std::move(scene), designed, start);

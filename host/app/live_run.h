@@ -14,6 +14,7 @@ struct LiveRunOptions {
   std::vector<std::string> overrides;  ///< As of loadScene().
   std::filesystem::path outputFolder;  ///< Of exported files.
   std::function<void()> wake;          ///< Called from the worker when there is something new.
+  TargetKeeper targets;                ///< May hold the scene's target already.
 };
 
 /// Does what runScene() does, on a thread of its own, over and over as knobs are turned, and shows
@@ -45,6 +46,7 @@ class LiveRun final : public Session {
   void demand(Start start);
   void tell(const std::string& message);
   bool isCancelled() const;
+  bool isEnding() const;
 
   // By the worker.
   void work();

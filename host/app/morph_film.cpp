@@ -52,7 +52,8 @@ class Counter {
 MorphCourse follow(const Scene& scene, const Device& device, const StrutGrid& grid, int steps,
                    bool quiet) {
   Counter counter("equilibrium", steps, quiet);
-  return followMorph(device, grid, {steps, scene.solve, [&](int step) { counter.tell(step); }});
+  MultigridSolver solver(device, grid);
+  return followMorph(solver, {steps, scene.solve, [&](int step) { counter.tell(step); }});
 }
 
 /// Motions that bring the last shape to `end`, and each other one to the one after it: nothing but
@@ -95,7 +96,7 @@ void removeFramesFrom(const std::filesystem::path& folder, int frame) {
 }
 
 /// Shapes on the same grid, coloured by the strain to the designed lengths.
-void drawFrames(const Scene& scene, const Device& device, DeviceGrid& deviceGrid,
+void drawFrames(const Scene& scene, const View& view, const Device& device, DeviceGrid& deviceGrid,
                 const Shapes& shapes, const Placements& placements, const FilmOptions& options,
                 bool quiet) {
   PictureOptions picture{.width = scene.pictures.width,
@@ -103,8 +104,7 @@ void drawFrames(const Scene& scene, const Device& device, DeviceGrid& deviceGrid
                          .caption = {},
                          .legend = strainLegend()};
   const SceneSize size = sceneSize(picture);
-  const Camera camera =
-      frameShapes(shapes, placements, scene.mesh ? kMeshView : kPatchView, size.aspect());
+  const Camera camera = frameShapes(shapes, placements, view, size.aspect());
   StrainRenderer renderer(device, size.width, size.height);
   WebpAnimation animation(picture.width, picture.height);
   const int count = static_cast<int>(shapes.size());
@@ -144,8 +144,8 @@ void writeGltf(const std::filesystem::path& path, const StrutGrid& grid, const S
     const int step = static_cast<int>(std::lround(double(key) * steps / lastKey));
     const auto index = static_cast<std::size_t>(step);
     Eigen::Matrix3Xd positions = placements[index] * shapes[index];
-    SurfaceMesh surface = tessellate(grid.shape.verticesU, grid.shape.verticesV,
-                                     middleLayer(grid.shape, positions), kMorphRefinement);
+    SurfaceMesh surface =
+        tessellate(grid.shape, middleLayer(grid.shape, positions), kMorphRefinement);
     keys.push_back({std::move(positions), std::move(surface)});
     timeline.push_back({kFirstShown + kMorphing * step / steps, key});
   }
@@ -170,8 +170,8 @@ FilmRecord recordOf(const MorphCourse& course, const Equilibrium& simulation) {
 
 }  // namespace
 
-FilmRecord filmMorph(const Scene& scene, const Device& device, Simulation& simulation,
-                     const FilmOptions& options, bool quiet) {
+FilmRecord filmMorph(const Scene& scene, const SceneDesign& designed, const Device& device,
+                     Simulation& simulation, const FilmOptions& options, bool quiet) {
   Stage& stage = simulation.stage;
   const MorphCourse course = follow(scene, device, stage.grid, options.frameCount - 1, quiet);
   if (interruptRequested()) {
@@ -180,7 +180,8 @@ FilmRecord filmMorph(const Scene& scene, const Device& device, Simulation& simul
   const Placements placements =
       placeShapes(course.positions, simulation.targetFromGrid * stage.equilibrium.positions);
   if (!options.framesFolder.empty() || !options.animation.empty()) {
-    drawFrames(scene, device, *stage.onDevice, course.positions, placements, options, quiet);
+    drawFrames(scene, designed.view(), device, *stage.onDevice, course.positions, placements,
+               options, quiet);
   }
   if (!options.gltf.empty() && !interruptRequested()) {
     writeGltf(options.gltf, stage.grid, course.positions, placements);

@@ -28,7 +28,7 @@ struct FilmRecord {
 /// sees all of it. The simulation's last stage must be one in space, and on the device. When the
 /// user asks to stop, some frames may be there, and no other file. Throws DeviceError when the
 /// device fails, InputError when a file cannot be written. quiet: no progress.
-FilmRecord filmMorph(const Scene& scene, const Device& device, Simulation& simulation,
-                     const FilmOptions& options, bool quiet);
+FilmRecord filmMorph(const Scene& scene, const SceneDesign& designed, const Device& device,
+                     Simulation& simulation, const FilmOptions& options, bool quiet);
 
 }  // namespace morphgrid

@@ -57,6 +57,18 @@ void Pictures::drawFlat(const std::string& name, const std::string& caption,
                strainLegend()});
 }
 
+void Pictures::drawInitial(const DeviceGrid& deviceGrid, const Eigen::Matrix3Xd& positions) {
+  drawFlat("initial", "initial: one layer of square cells", deviceGrid, positions);
+}
+
+void Pictures::drawInPlane(const DeviceGrid& deviceGrid, const Eigen::Matrix3Xd& positions) {
+  drawFlat("in_plane", "in plane: the layer to be printed", deviceGrid, positions);
+}
+
+void Pictures::drawStacked(const DeviceGrid& deviceGrid, const Eigen::Matrix3Xd& positions) {
+  drawFlat("stacked", "stacked: all layers, before the morph", deviceGrid, positions);
+}
+
 void Pictures::drawShrink(const StrutGrid& stacked, double maxShrinkage) const {
   const StrutGrid layers = spreadLayers(stacked, size_.aspect());
   const DeviceGrid deviceGrid(device_, layers);

@@ -23,9 +23,11 @@ class Pictures {
   /// How rays sampled a mesh (sampling).
   void drawSampling(const TriangleMesh& mesh, const RayHits& hits) const;
 
-  /// A flat stage in its own frame. positions: what the device grid holds, to frame it by.
-  void drawFlat(const std::string& name, const std::string& caption, const DeviceGrid& deviceGrid,
-                const Eigen::Matrix3Xd& positions);
+  /// Flat stages in their own frames: before the stage in the plane (initial), after it (in_plane)
+  /// and before the morph (stacked). positions: what the device grid holds, to frame it by.
+  void drawInitial(const DeviceGrid& deviceGrid, const Eigen::Matrix3Xd& positions);
+  void drawInPlane(const DeviceGrid& deviceGrid, const Eigen::Matrix3Xd& positions);
+  void drawStacked(const DeviceGrid& deviceGrid, const Eigen::Matrix3Xd& positions);
 
   /// The lateral struts of the printed layers, drawn apart, by how much of what they can shrink
   /// they use (shrink).
@@ -38,6 +40,8 @@ class Pictures {
                   const std::optional<Eigen::Matrix3Xd>& targets);
 
  private:
+  void drawFlat(const std::string& name, const std::string& caption, const DeviceGrid& deviceGrid,
+                const Eigen::Matrix3Xd& positions);
   Camera frame(const Eigen::Matrix3Xd& points, const View& view) const;
   void drawDistance(const PlacedGrid& result, const DeviceGrid& target,
                     const Eigen::Matrix3Xd& alignedMiddle, const Eigen::Matrix3Xd& targets,

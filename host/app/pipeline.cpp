@@ -5,6 +5,7 @@
 #include <chrono>
 
 #include "app/device_capacity.h"
+#include "app/restored_run.h"
 #include "app/simulate_scene.h"
 #include "core/atomic_file.h"
 #include "core/create_folder.h"
@@ -27,16 +28,16 @@ void writePicture(const std::filesystem::path& path, const Panel& panel, Picture
 }
 
 /// Throws InputError before anything is solved: nobody wants to learn it after hours.
-CheckpointKeeper checkpointKeeper(const Scene& scene, const GridDesign& design,
+CheckpointKeeper checkpointKeeper(const Scene& scene, const SceneDesign& designed,
                                   const RunOptions& options) {
-  const auto settings = checkpointSettings(scene, design);
-  CheckpointKeeper keeper(options.checkpoint, settings);
+  const ProblemIdentity problem = identifyProblem(scene, designed);
+  CheckpointKeeper keeper(options.checkpoint, problem);
   if (!options.checkpoint.file.empty()) {
     requireWritableCheckpoint(options.checkpoint.file);
   }
   if (!options.resumeFrom.empty()) {
     Checkpoint checkpoint = readCheckpoint(options.resumeFrom);
-    requireSameSettings(options.resumeFrom, checkpoint, settings);
+    requireSameProblem(options.resumeFrom, checkpoint, problem);
     keeper.resume(std::move(checkpoint));
   }
   return keeper;
@@ -48,8 +49,7 @@ void exportFiles(const Stage& stage, const Eigen::Isometry3d& targetFromGrid,
                  const FileChoices& choices, const std::filesystem::path& folder) {
   const GridShape& shape = stage.grid.shape;
   const Eigen::Matrix3Xd positions = targetFromGrid * stage.equilibrium.positions;
-  const SurfaceMesh surface = tessellate(shape.verticesU, shape.verticesV,
-                                         middleLayer(shape, positions), kSurfaceRefinement);
+  const SurfaceMesh surface = tessellate(shape, middleLayer(shape, positions), kSurfaceRefinement);
   if (choices.gltf) {
     exportGltf(folder / "warped.glb", stage.grid, positions, surface);
   }
@@ -68,7 +68,7 @@ RunRecord checkScene(const Scene& scene) { return recordOf(scene, designScene(sc
 
 void noteInsufficientDevice(const Scene& scene, RunRecord& record) {
   try {
-    const auto reason = explainOverflow(record.grid.shape, scene.method, capacityOf(Device()));
+    const auto reason = explainOverflow(record.grid.shape, workloadOf(scene), capacityOf(Device()));
     if (reason) {
       record.notices.push_back(*reason);
     }
@@ -80,7 +80,7 @@ void noteInsufficientDevice(const Scene& scene, RunRecord& record) {
 RunRecord runScene(const Scene& scene, const RunOptions& options) {
   const auto start = std::chrono::steady_clock::now();
   const SceneDesign designed = designScene(scene);
-  CheckpointKeeper keeper = checkpointKeeper(scene, designed.design, options);
+  CheckpointKeeper keeper = checkpointKeeper(scene, designed, options);
   const std::filesystem::path& folder = options.outputFolder;
   const PictureOptions picture{.width = scene.pictures.width, .height = scene.pictures.height};
   RunContext context = createRunContext(scene, designed, options.device, picture,
@@ -104,6 +104,9 @@ RunRecord runScene(const Scene& scene, const RunOptions& options) {
                         toInversePlot(*record.inverse, scene.design.maxShrinkage));
   }
   writeFileAtomically(folder / "report.json", toJson(record));
+  if (scene.files.state) {
+    writeState(folder / kStateFile, stateOf(scene, designed, simulation));
+  }
   // Last: the files of a large grid may exceed what their formats or the disk hold.
   exportFiles(simulation.stage, simulation.targetFromGrid, scene.files, folder);
   return std::move(record);

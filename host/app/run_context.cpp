@@ -22,13 +22,14 @@ RunContext createRunContext(const Scene& scene, const SceneDesign& designed,
     context.device = std::make_unique<Device>(device);
     const GridDesign& design = designed.design;
     const GridShape shape{design.nodesU + 1, design.nodesV + 1, design.layers};
-    if (const auto reason = explainOverflow(shape, scene.method, capacityOf(*context.device))) {
+    if (const auto reason =
+            explainOverflow(shape, workloadOf(scene), capacityOf(*context.device))) {
       throw InputError(fmt::format("{}: {}", scene.file.string(), *reason));
     }
   }
   if (scene.pictures.enabled) {
-    context.pictures = std::make_unique<Pictures>(*context.device, picture, std::move(show),
-                                                  scene.mesh ? kMeshView : kPatchView);
+    context.pictures =
+        std::make_unique<Pictures>(*context.device, picture, std::move(show), designed.view());
   }
   return context;
 }

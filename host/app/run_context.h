@@ -6,6 +6,7 @@
 #include "app/design_scene.h"
 #include "app/pictures.h"
 #include "core/error.h"
+#include "gpu/device_failure.h"
 
 namespace morphgrid {
 
@@ -32,7 +33,10 @@ struct RunContext {
       }
     } catch (const DeviceError& error) {
       failure = error.what();
-    } catch (const vk::SystemError& error) {
+    } catch (const std::system_error& error) {
+      if (!isDeviceFailure(error)) {
+        throw;
+      }
       failure = error.what();
     }
   }

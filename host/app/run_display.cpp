@@ -23,12 +23,11 @@ Matrix3Xd resampled(const Matrix3Xd& points, const GridShape& from, const GridSh
   const auto nearest = [](int n, int count, int fromCount) {
     return static_cast<int>(std::lround(double(n) * (fromCount - 1) / (count - 1)));
   };
-  for (int j = 0; j < to.verticesV; ++j) {
-    for (int i = 0; i < to.verticesU; ++i) {
-      result.col(to.index(i, j, 0)) = points.col(from.index(
-          nearest(i, to.verticesU, from.verticesU), nearest(j, to.verticesV, from.verticesV), 0));
-    }
-  }
+  forEachVertex(to.layer(), [&](const GridPlace& place) {
+    result.col(to.index(place)) =
+        points.col(from.index(nearest(place.i, to.verticesU, from.verticesU),
+                              nearest(place.j, to.verticesV, from.verticesV), 0));
+  });
   return result;
 }
 
@@ -46,11 +45,9 @@ void extend(Eigen::AlignedBox3d& box, const Matrix3Xd& points) {
   box.extend(points.rowwise().maxCoeff());
 }
 
-std::shared_ptr<const ShownSampling> samplingOf(const Scene& scene, const SceneDesign& designed) {
-  if (!designed.sampling) {
-    return nullptr;
-  }
-  return std::make_shared<ShownSampling>(ShownSampling{scene.mesh->mesh, designed.sampling->hits});
+/// It lives as long as its target.
+std::shared_ptr<const MeshSampling> samplingOf(const std::shared_ptr<const Target>& target) {
+  return target ? std::shared_ptr<const MeshSampling>(target, target->meshSampling()) : nullptr;
 }
 
 }  // namespace
@@ -69,7 +66,6 @@ void RunDisplay::showScene(const Scene& scene) {
   board_.post([&](Snapshot& next) {
     next.title = scene.title;
     next.knobs = keepRanges(knobsOf(scene), next.knobs);
-    next.view = scene.mesh ? kMeshView : kPatchView;
     next.maxShrinkage = scene.design.maxShrinkage;
   });
 }
@@ -86,15 +82,16 @@ std::optional<ShownGrid> RunDisplay::makeTarget(const GridShape& shape,
   target.onDevice = std::make_shared<DeviceGrid>(device_, *target.grid);
   target.positions = std::make_shared<Matrix3Xd>(*designed.targets);
   reference_ = target.positions;
-  referenceShape_ = {shape.verticesU, shape.verticesV, 1};
+  referenceShape_ = shape.layer();
   return target;
 }
 
 void RunDisplay::showDesign(const Scene& scene, const SceneDesign& designed) {
   const RunRecord record = recordOf(scene, designed);
   const auto target = makeTarget(record.grid.shape, designed);
-  const auto sampling = samplingOf(scene, designed);
+  const auto sampling = samplingOf(designed.target);
   board_.post([&](Snapshot& next) {
+    next.view = designed.view();
     next.stages = {};
     next.sampling = sampling;
     slotOf(ShownStage::target, next) = target;

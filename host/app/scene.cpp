@@ -4,6 +4,7 @@
 
 #include "app/scene_settings.h"
 #include "app/scene_target.h"
+#include "app/scene_text.h"
 #include "core/error.h"
 #include "core/toml_reader.h"
 
@@ -16,8 +17,6 @@ Scene readScene(TomlReader& reader, const std::filesystem::path& file) {
   scene.title = reader.root().text("title").value_or(scene.name);
   SceneTarget target = readSceneTarget(reader);
   scene.surface = std::move(target.surface);
-  scene.mesh = std::move(target.mesh);
-  scene.bendAngles = target.bendAngles;
   scene.design = target.design;
   scene.weights = readWeights(reader);
   SolverSettings solver = readSolverSettings(reader);
@@ -49,14 +48,23 @@ void requireWhatInverseDesignNeeds(const Scene& scene) {
   }
 }
 
-}  // namespace
-
-Scene loadScene(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
-  TomlReader reader(file, parseToml(file, overrides));
+Scene readChecked(const std::filesystem::path& file, toml::table&& document) {
+  TomlReader reader(file, std::move(document));
   Scene scene = readScene(reader, file);
   reader.problems.throwIfAny();
   requireWhatInverseDesignNeeds(scene);
+  scene.text = sceneText(reader);
   return scene;
+}
+
+}  // namespace
+
+Scene loadScene(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
+  return readChecked(file, parseToml(file, overrides));
+}
+
+Scene loadSceneText(const std::string& text, const std::filesystem::path& file) {
+  return readChecked(file, parseTomlText(text, file));
 }
 
 std::vector<std::string> knownSceneKeys() {

@@ -1,16 +1,15 @@
 #pragma once
 #include <filesystem>
-#include <memory>
 #include <optional>
 #include <string>
+#include <variant>
 #include <vector>
 
-#include "app/mesh_target.h"
-#include "design/grid_design.h"
 #include "design/build_grids.h"
+#include "design/grid_design.h"
 #include "report/run_record.h"
 #include "solve/equilibrium.h"
-#include "surface/surface.h"
+#include "target/target_request.h"
 
 namespace morphgrid {
 
@@ -27,16 +26,19 @@ struct FileChoices {
   bool vtu = true;
   bool ply = true;
   bool obj = true;
+  bool state = true;
 };
 
-/// One scene file, read and checked. Exactly one of surface, mesh and bendAngles is set.
+/// How the surface is given.
+using SurfaceRequest = std::variant<BendAngleRequest, PatchRequest, MeshRequest>;
+
+/// What one scene file asks for, read and checked.
 struct Scene {
   std::string name;   ///< The file's stem.
   std::string title;  ///< For people; the name when the file has none.
   std::filesystem::path file;
-  std::shared_ptr<const Surface> surface;
-  std::shared_ptr<const MeshTarget> mesh;
-  std::optional<BendAngleRequest> bendAngles;
+  std::string text;  ///< The whole scene, see sceneText().
+  SurfaceRequest surface;
   DesignRequest design;
   Weights weights;
   Scaling scaling = Scaling::normalised;
@@ -48,10 +50,13 @@ struct Scene {
   std::optional<PublishedFigures> published;
 };
 
-/// Reads a TOML scene; overrides are `key=value` with dotted keys, e.g. "grid.layers=4", applied
-/// before the checks. Throws InputError with every problem of the file, one a line, each as
-/// `file:line:column: what is wrong, what is allowed, what was found`.
+/// Reads a TOML scene and the TOML files that it names; overrides are `key=value` with dotted keys,
+/// e.g. "grid.layers=4", applied before the checks. Throws InputError with every problem of the
+/// files, one a line, each as `file:line:column: what is wrong, what is allowed, what was found`.
 Scene loadScene(const std::filesystem::path& file, const std::vector<std::string>& overrides = {});
+
+/// The same of a text that stands alone, see sceneText(); file: what errors name.
+Scene loadSceneText(const std::string& text, const std::filesystem::path& file);
 
 /// The dotted names of all keys that a scene file may hold, in the order of the documentation.
 std::vector<std::string> knownSceneKeys();

@@ -47,11 +47,10 @@ void addDesignKnobs(std::vector<Knob>& knobs, const DesignRequest& design) {
 }  // namespace
 
 std::vector<Knob> knobsOf(const Scene& scene) {
-  const bool isBent = scene.bendAngles.has_value();
+  const bool isBent = std::holds_alternative<BendAngleRequest>(scene.surface);
   std::vector<Knob> knobs = {
-      scaleSlider("grid.layer_spacing", "layer spacing",
-                  isBent ? scene.bendAngles->layerSpacing : scene.design.layerSpacing),
-      counter("grid.layers", "layers", isBent ? scene.bendAngles->layers : scene.design.layers)};
+      scaleSlider("grid.layer_spacing", "layer spacing", scene.design.layerSpacing),
+      counter("grid.layers", "layers", scene.design.layers)};
   if (!isBent) {
     addDesignKnobs(knobs, scene.design);
   }

@@ -57,6 +57,7 @@ OutputChoices readOutputChoices(TomlReader& reader) {
   files.vtu = section.boolean("vtu").value_or(files.vtu);
   files.ply = section.boolean("ply").value_or(files.ply);
   files.obj = section.boolean("obj").value_or(files.obj);
+  files.state = section.boolean("state").value_or(files.state);
   return output;
 }
 

@@ -13,6 +13,10 @@
 namespace morphgrid {
 namespace {
 
+constexpr const char* kMeshKeys[] = {"mesh",     "u_start",    "v_start",        "u_length",
+                                     "v_length", "fill_holes", "steepest_slope", "smoothing_width"};
+constexpr const char* kBoxKeys[] = {"u_start", "v_start", "u_length", "v_length"};
+
 enum class SurfaceKind { bezier, mesh, bendAngles };
 
 constexpr const char* kindName(SurfaceKind kind) {
@@ -69,19 +73,72 @@ void rejectKeysOfOtherKinds(SurfaceKind kind, TomlSection& surface, TomlSection&
   }
 }
 
-std::shared_ptr<const Surface> readPatchOfScene(TomlReader& reader, const TomlSection& surface,
-                                                const std::filesystem::path& patch) {
-  if (const auto reason = whyUnreadable(patch)) {
-    reader.problems.add(surface.place("patch"),
-                        fmt::format("surface.patch must name a readable file, got {}: {}",
-                                    patch.string(), *reason));
-    return nullptr;
+using File = std::optional<std::filesystem::path>;
+
+/// Whether the file that a key names, if it does, can be read; a problem otherwise.
+bool isReadable(TomlReader& reader, const TomlSection& surface, const char* key, const char* what,
+                const File& file) {
+  if (!file) return false;
+  const auto reason = whyUnreadable(*file);
+  if (reason) {
+    reader.problems.add(surface.place(key),
+                        fmt::format("{} must name a readable {}, got {}: {}", surface.fullName(key),
+                                    what, file->string(), *reason));
   }
-  try {
-    return std::make_shared<BezierPatch>(readPatch(patch));
-  } catch (const InputError& error) {
-    reader.problems.add(error);
-    return nullptr;
+  return !reason;
+}
+
+PatchRequest readPatchRequest(TomlReader& reader, TomlSection& surface, const File& file) {
+  PatchRequest request{{}, surface.place("patch")};
+  surface.require("patch");
+  if (isReadable(reader, surface, "patch", "file", file)) {
+    try {
+      request.controlPoints = readPatch(*file).controlPoints();
+    } catch (const InputError& error) {
+      reader.problems.add(error);
+    }
+  }
+  return request;
+}
+
+/// Nothing when no key of the box is there: that is for the target to say, who knows the mesh.
+std::optional<SamplingBox> readBox(TomlSection& surface) {
+  const SamplingBox box{surface.number("u_start", {}).value_or(0),
+                        surface.number("v_start", {}).value_or(0),
+                        surface.number("u_length", above(0)).value_or(1),
+                        surface.number("v_length", above(0)).value_or(1)};
+  if (std::none_of(std::begin(kBoxKeys), std::end(kBoxKeys),
+                   [&](const char* key) { return surface.node(key) != nullptr; })) {
+    return std::nullopt;
+  }
+  return box;
+}
+
+MeshRequest readMeshRequest(TomlSection& surface) {
+  MeshRequest request;
+  request.box = readBox(surface);
+  request.boxPlace = surface.place("u_start");
+  request.fillHoles = surface.number("fill_holes", atLeast(0)).value_or(request.fillHoles);
+  request.steepestSlope =
+      surface.number("steepest_slope", above(0)).value_or(request.steepestSlope);
+  request.smoothingWidth =
+      surface.number("smoothing_width", atLeast(0)).value_or(request.smoothingWidth);
+  return request;
+}
+
+/// What a mesh needs.
+void completeMeshRequest(TomlReader& reader, TomlSection& surface, const File& file,
+                         MeshRequest& request) {
+  surface.require("mesh");
+  if (request.box) {
+    for (const char* key : kBoxKeys) surface.require(key);
+  }
+  if (isReadable(reader, surface, "mesh", "mesh configuration", file)) {
+    try {
+      request.configuration = readMeshConfiguration(*file);
+    } catch (const InputError& error) {
+      reader.problems.add(error);
+    }
   }
 }
 
@@ -115,8 +172,7 @@ DesignRequest readDesign(TomlSection& grid, TomlSection& section) {
   return design;
 }
 
-BendAngleRequest readBendAngles(TomlSection& surface, TomlSection& grid,
-                                const DesignRequest& design) {
+BendAngleRequest readBendAngles(TomlSection& surface, TomlSection& grid) {
   constexpr double pi = std::numbers::pi;
   constexpr std::array<double, 2> kFlat{0, 0};
   const IntegerRange count{1, std::numeric_limits<int>::max()};
@@ -126,8 +182,6 @@ BendAngleRequest readBendAngles(TomlSection& surface, TomlSection& grid,
       surface.numberPair("theta_v", fromTo(-pi, pi)).value_or(kFlat);
   return {.nodesU = static_cast<int>(grid.integer("nodes_u", count).value_or(1)),
           .nodesV = static_cast<int>(grid.integer("nodes_v", count).value_or(1)),
-          .layers = design.layers,
-          .layerSpacing = design.layerSpacing,
           .spacing = surface.number("spacing", above(0)).value_or(1),
           .firstThetaU = firstThetaU,
           .lastThetaU = lastThetaU,
@@ -158,23 +212,23 @@ SceneTarget readSceneTarget(TomlReader& reader) {
   if (kind) rejectKeysOfOtherKinds(*kind, surface, grid, designSection);
 
   // All keys are read whatever the kind is: that finds every problem, and all names are known.
-  const std::optional<std::filesystem::path> patch = surface.path("patch");
-  MeshKeys meshKeys = readMeshKeys(surface);
+  const File patchFile = surface.path("patch");
+  const File meshFile = surface.path("mesh");
+  MeshRequest mesh = readMeshRequest(surface);
   const DesignRequest design = readDesign(grid, designSection);
-  const BendAngleRequest bendAngles = readBendAngles(surface, grid, design);
+  const BendAngleRequest bendAngles = readBendAngles(surface, grid);
 
-  SceneTarget target{.design = design};
+  SceneTarget target{.surface = bendAngles, .design = design};
   if (kind == SurfaceKind::bezier) {
-    surface.require("patch");
-    if (patch) target.surface = readPatchOfScene(reader, surface, *patch);
+    target.surface = readPatchRequest(reader, surface, patchFile);
   } else if (kind == SurfaceKind::mesh) {
-    target.mesh = loadMeshTarget(reader, surface, std::move(meshKeys));
+    completeMeshRequest(reader, surface, meshFile, mesh);
+    target.surface = std::move(mesh);
   } else if (kind == SurfaceKind::bendAngles) {
     grid.require("nodes_u");
     grid.require("nodes_v");
     const char* key = bendAngles.nodesU >= bendAngles.nodesV ? "nodes_u" : "nodes_v";
     checkVertexCount(reader, grid, key, bendAngles.nodesU, bendAngles.nodesV, design.layers);
-    target.bendAngles = bendAngles;
   }
   if (kind == SurfaceKind::bezier || kind == SurfaceKind::mesh) {
     // The shorter direction is not known before the surface is measured: it has at least one node.

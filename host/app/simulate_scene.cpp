@@ -29,11 +29,6 @@ void noteOtherWay(RunRecord& record) {
   }
 }
 
-ClosestPointQuery closestPointsOfTarget(const Scene& scene) {
-  return scene.mesh ? ClosestPointQuery(scene.mesh->mesh.vertices, scene.mesh->mesh.triangles)
-                    : closestPointsOf(*scene.surface);
-}
-
 /// Brings the result to where the target lies; without a target, to where it was printed.
 Eigen::Isometry3d alignResult(const Stage& stage, const std::optional<Eigen::Matrix3Xd>& targets) {
   const Eigen::Matrix3Xd& positions = stage.equilibrium.positions;
@@ -63,10 +58,9 @@ Simulation simulateScene(const Scene& scene, const SceneDesign& designed, RunCon
   RunRecord record = recordOf(scene, designed);
   record.device =
       scene.method == Method::reference ? "CPU, double precision" : context.device->name();
-  if (designed.sampling) {
-    context.draw([&](Pictures& pictures) {
-      pictures.drawSampling(scene.mesh->mesh, designed.sampling->hits);
-    });
+  if (const MeshSampling* sampling = designed.target ? designed.target->meshSampling() : nullptr) {
+    context.draw(
+        [&](Pictures& pictures) { pictures.drawSampling(sampling->mesh, sampling->hits); });
   }
 
   Stages stages(scene, context, keeper, quiet);
@@ -83,6 +77,7 @@ Simulation simulateScene(const Scene& scene, const SceneDesign& designed, RunCon
       record.inverse = stages.improve(stage, *designed.targets);
       noteOtherWay(record);
     }
+    stage.solver.reset();  // Its memory is for pictures now.
     record.full = stage.equilibrium;
     noteSaddle(record, "full", *record.full);
   }
@@ -95,7 +90,7 @@ Simulation simulateScene(const Scene& scene, const SceneDesign& designed, RunCon
   cancellation.check();
   if (designed.targets) {
     record.distance = computeTargetDistance(middleLayer(stage.grid.shape, positions),
-                                            *designed.targets, closestPointsOfTarget(scene));
+                                            *designed.targets, designed.target->closestPoints());
   }
   const Eigen::Isometry3d targetFromGrid = alignResult(stage, designed.targets);
   context.draw([&](Pictures& pictures) {

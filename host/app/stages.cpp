@@ -5,20 +5,24 @@
 #include <cmath>
 
 #include "app/progress_line.h"
+#include "energy/strut_energy.h"
 #include "inverse/print_scale.h"
-#include "solve/energy.h"
 #include "solve/jacobi_solver.h"
-#include "solve/multigrid_solver.h"
 #include "solve/preconditioners.h"
 #include "solve/reference_solver.h"
 
 namespace morphgrid {
 
 Stage Stages::prepare(StrutGrid grid) {
-  Stage stage{std::move(grid), nullptr, {}};
+  Stage stage{.grid = std::move(grid)};
   if (context_.device) {
-    context_.attempt(
-        [&] { stage.onDevice = std::make_shared<DeviceGrid>(*context_.device, stage.grid); });
+    context_.attempt([&] {
+      stage.onDevice = std::make_shared<DeviceGrid>(*context_.device, stage.grid);
+      if (scene_.method == Method::multigrid) {
+        stage.solver =
+            std::make_shared<MultigridSolver>(*context_.device, stage.grid, stage.onDevice);
+      }
+    });
   }
   if (context_.onStage) {
     context_.onStage(stage);
@@ -26,14 +30,14 @@ Stage Stages::prepare(StrutGrid grid) {
   return stage;
 }
 
-std::optional<Equilibrium> Stages::solveByMethod(const Stage& stage, const SolveOptions& options) {
+std::optional<Equilibrium> Stages::solveByMethod(Stage& stage, const SolveOptions& options) {
   if (scene_.method == Method::reference) {
     return solveReference(stage.grid, options);
   }
   std::optional<Equilibrium> result;
   context_.attempt([&] {
     result = scene_.method == Method::multigrid
-                 ? solveMultigrid(*context_.device, stage.grid, *stage.onDevice, options)
+                 ? stage.solver->solve(options)
                  : JacobiSolver(*context_.device, stage.grid, *stage.onDevice).solve(options);
   });
   return result;
@@ -94,7 +98,10 @@ void Stages::assessStability(Stage& stage, Motions motions) {
   if (scene_.method == Method::reference) {
     assessBy(constantMatrixPreconditioner(stage.grid));
   } else {
-    context_.attempt([&] { assessBy(vCyclePreconditioner(*context_.device, *stage.onDevice)); });
+    context_.attempt([&] {
+      assessBy(stage.solver ? stage.solver->preconditioner()
+                            : vCyclePreconditioner(*context_.device, *stage.onDevice));
+    });
   }
 }
 
@@ -102,12 +109,13 @@ std::optional<InverseDesign> Stages::improve(Stage& stage, const Eigen::Matrix3X
   const DesignRequest& request = scene_.design;
   const int stepCount = request.compensateRounds + request.optimiseSteps;
   if ((stepCount == 0 && !request.enforceShrinkage) || scene_.solve.stopRequested() ||
-      !stage.onDevice) {
+      !stage.solver || context_.failure) {
     return std::nullopt;
   }
   ProgressLine progress("inverse design", scene_.solve.tolerance);
-  InverseOptions options{request.compensateRounds, request.optimiseSteps, std::nullopt,
-                         scene_.solve, nullptr};
+  InverseOptions options{.compensateRounds = request.compensateRounds,
+                         .optimiseSteps = request.optimiseSteps,
+                         .solve = scene_.solve};
   if (request.enforceShrinkage) {
     options.shrinkLimit = request.maxShrinkage;
   }
@@ -120,23 +128,27 @@ std::optional<InverseDesign> Stages::improve(Stage& stage, const Eigen::Matrix3X
                     step.seconds, done > 0 ? step.seconds / done * (stepCount - done) : -1);
     }
   };
+  options.onCheckpoint = [&](InverseCheckpoint checkpoint) { keeper_.keep(std::move(checkpoint)); };
+  options.resumeFrom = keeper_.inverse();
+  keeper_.beginInverseDesign(stage.equilibrium);
+  InverseDesigner designer(*stage.solver, targets, options);
   std::optional<InverseDesign> result;
-  context_.attempt([&] {
-    StrutGrid grid = stage.grid;
-    result = InverseDesigner(*context_.device, grid, *stage.onDevice, targets, options)
-                 .run(stage.equilibrium);
-    stage.grid.rest = std::move(grid.rest);
+  context_.attempt([&] { result = designer.run(stage.equilibrium); });
+  keeper_.endInverseDesign(!result || scene_.solve.stopRequested());
+  if (!result) {
+    result = designer.salvage();
+  }
+  if (result) {
+    stage.grid.rest = result->rest;
     stage.equilibrium = result->equilibrium;
-  });
+  }
   return result;
 }
 
 Stage Stages::runInPlane(const GridDesign& design) {
   Stage stage = prepare(inPlaneGrid(design, scene_.weights, scene_.scaling));
-  context_.draw([&](Pictures& pictures) {
-    pictures.drawFlat("initial", "initial: one layer of square cells", *stage.onDevice,
-                      stage.grid.positions);
-  });
+  context_.draw(
+      [&](Pictures& pictures) { pictures.drawInitial(*stage.onDevice, stage.grid.positions); });
   if (keeper_.inPlane()) {
     stage.equilibrium = *keeper_.inPlane();
   } else {
@@ -145,9 +157,9 @@ Stage Stages::runInPlane(const GridDesign& design) {
   }
   showOnDevice(stage);
   assessStability(stage, Motions::inPlane);
+  stage.solver.reset();
   context_.draw([&](Pictures& pictures) {
-    pictures.drawFlat("in_plane", "in plane: the layer to be printed", *stage.onDevice,
-                      stage.equilibrium.positions);
+    pictures.drawInPlane(*stage.onDevice, stage.equilibrium.positions);
   });
   return stage;
 }
@@ -164,11 +176,13 @@ Stage Stages::runFull(const GridDesign& design, const Eigen::Matrix3Xd& printedL
   }
   Stage stage = prepare(std::move(grid));
   stage.printScale = printScale;
-  context_.draw([&](Pictures& pictures) {
-    pictures.drawFlat("stacked", "stacked: all layers, before the morph", *stage.onDevice,
-                      stage.grid.positions);
-  });
-  solve(stage, "full", context_.nearFull);
+  context_.draw(
+      [&](Pictures& pictures) { pictures.drawStacked(*stage.onDevice, stage.grid.positions); });
+  if (keeper_.full()) {
+    stage.equilibrium = *keeper_.full();
+  } else {
+    solve(stage, "full", context_.nearFull);
+  }
   showOnDevice(stage);
   assessStability(stage, Motions::inSpace);
   return stage;

@@ -2,14 +2,15 @@
 #include "app/checkpoint_keeper.h"
 #include "app/run_context.h"
 #include "inverse/inverse_design.h"
-#include "solve/device_grid.h"
+#include "solve/multigrid_solver.h"
 
 namespace morphgrid {
 
 /// A grid on its way to equilibrium, with its copy on the device.
 struct Stage {
   StrutGrid grid;
-  std::shared_ptr<DeviceGrid> onDevice;  ///< None in runs on the CPU, or when it did not fit.
+  std::shared_ptr<DeviceGrid> onDevice;     ///< None in runs on the CPU, or when it did not fit.
+  std::shared_ptr<MultigridSolver> solver;  ///< Of Method::multigrid, while the stage is solved.
   Equilibrium equilibrium;
   double printScale = 1;  ///< Of the flat sheet, see choosePrintScale().
 };
@@ -27,13 +28,14 @@ class Stages {
   /// stacked, morphs in space.
   Stage runFull(const GridDesign& design, const Eigen::Matrix3Xd& printedLayer);
   /// Other rest lengths, which bring the full stage closer to its targets (3 x layerVertexCount),
-  /// as the scene asks for; nothing when it does not or the device fails. Then the stage stays.
+  /// as the scene asks for; nothing when it does not or the device fails before the first. Then the
+  /// stage stays.
   std::optional<InverseDesign> improve(Stage& stage, const Eigen::Matrix3Xd& targets);
 
  private:
   Stage prepare(StrutGrid grid);
   void solve(Stage& stage, const char* name, const Eigen::Matrix3Xd& near);
-  std::optional<Equilibrium> solveByMethod(const Stage& stage, const SolveOptions& options);
+  std::optional<Equilibrium> solveByMethod(Stage& stage, const SolveOptions& options);
   void showOnDevice(const Stage& stage);
   void assessStability(Stage& stage, Motions motions);
   Equilibrium lastKnown(const StrutGrid& grid) const;

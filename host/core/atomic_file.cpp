@@ -32,16 +32,23 @@ void PendingFile::commit() {
   committed_ = true;
 }
 
-void writeFileAtomically(const std::filesystem::path& path, std::string_view bytes) {
+void writeFileAtomically(const std::filesystem::path& path,
+                         const std::function<void(std::ostream&)>& write) {
   PendingFile pending(path);
   std::ofstream stream(pending.path(), std::ios::binary);
-  stream.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  write(stream);
   stream.close();
   if (!stream) {
     throw InputError(fmt::format(
         "{}: cannot be written: is the folder there, writable and not full?", path.string()));
   }
   pending.commit();
+}
+
+void writeFileAtomically(const std::filesystem::path& path, std::string_view bytes) {
+  writeFileAtomically(path, [&](std::ostream& stream) {
+    stream.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  });
 }
 
 }  // namespace morphgrid

@@ -1,5 +1,7 @@
 #pragma once
 #include <filesystem>
+#include <functional>
+#include <ostream>
 #include <string_view>
 
 namespace morphgrid {
@@ -25,7 +27,9 @@ class PendingFile {
   bool committed_ = false;
 };
 
-/// Writes bytes to a temporary name and renames. Throws InputError when the disk refuses.
+/// Writes to a temporary name and renames. Throws InputError when the disk refuses.
+void writeFileAtomically(const std::filesystem::path& path,
+                         const std::function<void(std::ostream&)>& write);
 void writeFileAtomically(const std::filesystem::path& path, std::string_view bytes);
 
 }  // namespace morphgrid

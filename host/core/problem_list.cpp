@@ -12,6 +12,10 @@ std::string toString(const Place& place) {
   return fmt::format("{}:{}:{}", place.source, place.line, place.column);
 }
 
+InputError errorAt(const Place& place, const std::string& what) {
+  return InputError(place.source.empty() ? what : fmt::format("{}: {}", toString(place), what));
+}
+
 void ProblemList::add(Place place, std::string text) {
   problems_.push_back({std::move(place), std::move(text)});
 }
@@ -31,8 +35,7 @@ void ProblemList::throwIfAny() const {
   std::string text;
   for (const Problem& problem : sorted) {
     if (!text.empty()) text += '\n';
-    if (!problem.place.source.empty()) text += toString(problem.place) + ": ";
-    text += problem.text;
+    text += errorAt(problem.place, problem.text).what();
   }
   throw InputError(text);
 }

@@ -11,10 +11,15 @@ struct Place {
   std::string source;  ///< A file, or `--set key=value`.
   int line = 0;        ///< From 1; 0 where the source has no lines.
   int column = 0;      ///< From 1, in characters.
+
+  bool operator==(const Place&) const = default;
 };
 
 /// `source:line:column`, or `source` where there are no lines.
 std::string toString(const Place& place);
+
+/// `place: what`, or `what` alone where the place is empty.
+InputError errorAt(const Place& place, const std::string& what);
 
 /// Collects what is wrong with an input, so that the user learns of everything at once.
 class ProblemList {

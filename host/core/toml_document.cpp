@@ -22,14 +22,15 @@ std::string explain(const toml::parse_error& error) {
   return "not valid TOML: " + text;
 }
 
-toml::table parseFile(const std::filesystem::path& file) {
-  const std::string text = readFile(file);
+toml::table parseText(const std::string& text, const std::filesystem::path& file) {
   try {
     return toml::parse(std::string_view(text), file.string());
   } catch (const toml::parse_error& error) {
     throw InputError(fmt::format("{}: {}", toString(placeOf(error.source())), explain(error)));
   }
 }
+
+toml::table parseFile(const std::filesystem::path& file) { return parseText(readFile(file), file); }
 
 std::string_view trimmed(std::string_view text) {
   const auto first = text.find_first_not_of(" \t");
@@ -125,12 +126,15 @@ Place placeOf(const toml::source_region& source) {
   return {path, static_cast<int>(source.begin.line), static_cast<int>(source.begin.column)};
 }
 
-toml::table parseTomlAlone(const std::filesystem::path& file,
-                           const std::vector<std::string>& overrides) {
+namespace {
+
+/// parse: gives the document that the overrides change.
+template <typename Parse>
+toml::table withOverrides(const Parse& parse, const std::vector<std::string>& overrides) {
   ProblemList problems;
   toml::table document;
   try {
-    document = parseFile(file);
+    document = parse();
   } catch (const InputError& error) {
     problems.add(error);
   }
@@ -143,6 +147,18 @@ toml::table parseTomlAlone(const std::filesystem::path& file,
   }
   problems.throwIfAny();
   return document;
+}
+
+}  // namespace
+
+toml::table parseTomlAlone(const std::filesystem::path& file,
+                           const std::vector<std::string>& overrides) {
+  return withOverrides([&] { return parseFile(file); }, overrides);
+}
+
+toml::table parseTomlText(const std::string& text, const std::filesystem::path& file,
+                          const std::vector<std::string>& overrides) {
+  return withOverrides([&] { return parseText(text, file); }, overrides);
 }
 
 toml::table parseToml(const std::filesystem::path& file,

@@ -19,6 +19,11 @@ namespace morphgrid {
 toml::table parseToml(const std::filesystem::path& file,
                       const std::vector<std::string>& overrides = {});
 
+/// The same of a text instead of a file, which errors name; it extends nothing. For what
+/// parseToml() gave, printed.
+toml::table parseTomlText(const std::string& text, const std::filesystem::path& file,
+                          const std::vector<std::string>& overrides = {});
+
 /// The same without what the file extends; a relative `extends` stays true beside the file.
 toml::table parseTomlAlone(const std::filesystem::path& file,
                            const std::vector<std::string>& overrides = {});

@@ -26,6 +26,7 @@ class TomlReader {
   TomlReader(const TomlReader&) = delete;
   TomlReader& operator=(const TomlReader&) = delete;
 
+  const toml::table& document() const { return document_; }
   TomlSection root();
   TomlSection section(const std::string& name);
   /// A table inside an array; `name` is what messages call it.

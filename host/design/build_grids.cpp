@@ -6,16 +6,15 @@ namespace morphgrid {
 namespace {
 
 void setStiffness(StrutGrid& grid, const Weights& weights, Scaling scaling) {
-  for (const Strut& strut : listStruts(grid.shape)) {
-    const double weight =
-        strut.direction == Strut::Direction::w ? weights.vertical : weights.lateral;
+  forEachStrut(grid.shape, [&](const Strut& strut) {
+    const double weight = strut.isLateral() ? weights.lateral : weights.vertical;
     double c = 1;
     if (scaling == Scaling::shapeop) {
       const double rest = valueAt(grid.rest, strut);
-      c = (grid.positions.col(strut.to) - grid.positions.col(strut.from)).norm() / (rest * rest);
+      c = lengthAt(grid.positions, strut) / (rest * rest);
     }
     valueAt(grid.stiffness, strut) = weight * c;
-  }
+  });
 }
 
 StrutGrid emptyGrid(const GridDesign& design, int layers, const Weights& weights) {
@@ -28,25 +27,16 @@ StrutGrid emptyGrid(const GridDesign& design, int layers, const Weights& weights
           weights.angle};
 }
 
-void setLateralRest(StrutGrid& grid, int layer, const LateralField<double>& rest) {
-  forEachLateralStrut(rest.nodesU(), rest.nodesV(), [&](const LateralStrut& strut) {
-    StrutValues& values = grid.rest;
-    (strut.alongU ? values.u : values.v)[grid.shape.index(strut.i, strut.j, layer)] =
-        rest.at(strut);
-  });
-}
-
 }  // namespace
 
 StrutGrid inPlaneGrid(const GridDesign& design, const Weights& weights, Scaling scaling) {
   StrutGrid grid = emptyGrid(design, 1, weights);
-  for (int j = 0; j <= design.nodesV; ++j) {
-    for (int i = 0; i <= design.nodesU; ++i) {
-      grid.positions.col(grid.shape.index(i, j, 0)) =
-          Eigen::Vector3d(i * design.spacing, j * design.spacing, 0);
-    }
-  }
-  setLateralRest(grid, 0, design.lengths);
+  forEachVertex(grid.shape, [&](const GridPlace& place) {
+    grid.positions.col(grid.shape.index(place)) =
+        Eigen::Vector3d(place.i * design.spacing, place.j * design.spacing, 0);
+  });
+  forEachStrut(grid.shape,
+               [&](const Strut& strut) { valueAt(grid.rest, strut) = design.lengths.at(strut); });
   setStiffness(grid, weights, scaling);
   return grid;
 }
@@ -54,17 +44,15 @@ StrutGrid inPlaneGrid(const GridDesign& design, const Weights& weights, Scaling 
 StrutGrid stackedGrid(const GridDesign& design, const Weights& weights, Scaling scaling,
                       const Eigen::Matrix3Xd& printedLayer) {
   StrutGrid grid = emptyGrid(design, design.layers, weights);
-  const GridShape& shape = grid.shape;
-  const int layerCount = shape.layerVertexCount();
-  for (int k = 0; k < shape.layers; ++k) {
-    auto layer = grid.positions.middleCols(k * layerCount, layerCount);
+  for (int k = 0; k < design.layers; ++k) {
+    auto layer = layerOf(grid.shape, grid.positions, k);
     layer = printedLayer;
     layer.row(2).setConstant(k * design.layerSpacing);
-    setLateralRest(grid, k, design.rest[k]);
   }
-  for (int index = 0; index < (shape.layers - 1) * layerCount; ++index) {
-    grid.rest.w[index] = design.layerSpacing;
-  }
+  forEachStrut(grid.shape, [&](const Strut& strut) {
+    valueAt(grid.rest, strut) =
+        strut.isLateral() ? design.rest[strut.layer].at(strut) : design.layerSpacing;
+  });
   setStiffness(grid, weights, scaling);
   return grid;
 }

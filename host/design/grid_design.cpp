@@ -11,14 +11,20 @@
 namespace morphgrid {
 namespace {
 
+std::string describe(const GridShape& shape, const Strut& strut) {
+  const GridPlace place = shape.place(strut.from);
+  return fmt::format("the {} strut at node ({}, {})",
+                     strut.direction == Strut::Direction::u ? "u" : "v", place.i, place.j);
+}
+
 /// Every strut needs a length, or it cannot be printed.
 void requireLengths(const LateralField<double>& lengths, double longest) {
-  forEachLateralStrut(lengths.nodesU(), lengths.nodesV(), [&](const LateralStrut& strut) {
+  forEachLateralStrut(lengths.shape(), [&](const Strut& strut) {
     if (!(lengths.at(strut) > 1e-9 * longest)) {
       throw InputError(
-          fmt::format("the {} strut at node ({}, {}) has no length ({:.3g}): the surface is "
+          fmt::format("{} has no length ({:.3g}): the surface is "
                       "collapsed there; move the control points that coincide apart",
-                      strut.alongU ? "u" : "v", strut.i, strut.j, lengths.at(strut)));
+                      describe(lengths.shape(), strut), lengths.at(strut)));
     }
   });
 }
@@ -41,7 +47,7 @@ double bendAngle(double length, double curvature, int& clamped) {
 void setRestOfConvexSides(GridDesign& design) {
   for (int k = 0; k < design.layers; ++k) {
     LateralField<double> layer(design.nodesU, design.nodesV);
-    forEachLateralStrut(design.nodesU, design.nodesV, [&](const LateralStrut& strut) {
+    forEachLateralStrut(layer.shape(), [&](const Strut& strut) {
       layer.at(strut) = restLength(design.lengths.at(strut), design.bendAngles.at(strut),
                                    design.layerSpacing, k, design.layers);
     });
@@ -57,7 +63,7 @@ class OffsetSurfaces {
 
   LateralField<double> chords(double height) const {
     LateralField<double> chords(measurement_.nodesU, measurement_.nodesV);
-    forEachLateralStrut(chords.nodesU(), chords.nodesV(), [&](const LateralStrut& strut) {
+    forEachLateralStrut(chords.shape(), [&](const Strut& strut) {
       chords.at(strut) =
           (along(measurement_.points, strut) + height * along(normals_, strut)).norm();
     });
@@ -68,8 +74,8 @@ class OffsetSurfaces {
   /// below: that is beyond the surface's centre of curvature.
   void requireStruts(double outermost, double layerSpacing) const {
     double smallest = std::numeric_limits<double>::infinity();
-    LateralStrut tightest{};
-    forEachLateralStrut(measurement_.nodesU, measurement_.nodesV, [&](const LateralStrut& strut) {
+    Strut tightest{};
+    forEachLateralStrut(measurement_.chords.shape(), [&](const Strut& strut) {
       const Eigen::Vector3d chord = along(measurement_.points, strut);
       const double radius = chord.squaredNorm() / std::abs(chord.dot(along(normals_, strut)));
       if (radius < smallest) {
@@ -78,19 +84,18 @@ class OffsetSurfaces {
       }
     });
     if (outermost < smallest) return;
-    const Eigen::Vector3d point = measurement_.points.col(vertex(tightest.i, tightest.j));
+    const Eigen::Vector3d point = measurement_.points.col(tightest.from);
     throw InputError(fmt::format(
-        "the {} strut at node ({}, {}), at ({:.4g}, {:.4g}, {:.4g}), has no length left in the "
+        "{}, at ({:.4g}, {:.4g}, {:.4g}), has no length left in the "
         "outermost layer: the surface's radius there is {:.4g}; grid.layer_spacing must be below "
         "{:.4g}, got {:.4g}",
-        tightest.alongU ? "u" : "v", tightest.i, tightest.j, point.x(), point.y(), point.z(),
-        smallest, layerSpacing * smallest / outermost, layerSpacing));
+        describe(measurement_.chords.shape(), tightest), point.x(), point.y(), point.z(), smallest,
+        layerSpacing * smallest / outermost, layerSpacing));
   }
 
  private:
-  int vertex(int i, int j) const { return j * (measurement_.nodesU + 1) + i; }
-  Eigen::Vector3d along(const Eigen::Matrix3Xd& values, const LateralStrut& strut) const {
-    return values.col(vertex(strut.toI(), strut.toJ())) - values.col(vertex(strut.i, strut.j));
+  static Eigen::Vector3d along(const Eigen::Matrix3Xd& values, const Strut& strut) {
+    return values.col(strut.to) - values.col(strut.from);
   }
 
   const SurfaceMeasurement& measurement_;
@@ -113,7 +118,7 @@ GridDesign designGrid(const SurfaceMeasurement& measurement, const GridSize& siz
                     {}};
   requireLengths(design.lengths, design.spacing);
   int clamped = 0;
-  forEachLateralStrut(nodesU, nodesV, [&](const LateralStrut& strut) {
+  forEachLateralStrut(design.lengths.shape(), [&](const Strut& strut) {
     design.bendAngles.at(strut) =
         bendAngle(measurement.chords.at(strut), measurement.curvatures.at(strut), clamped);
   });
@@ -140,7 +145,7 @@ GridDesign designOnOffsets(const SurfaceMeasurement& measurement, const Eigen::M
   for (int k = 0; k < layers; ++k) {
     design.rest.push_back(surfaces.chords(k * size.layerSpacing - outermost));
   }
-  forEachLateralStrut(nodesU, nodesV, [&](const LateralStrut& strut) {
+  forEachLateralStrut(design.lengths.shape(), [&](const Strut& strut) {
     const double bottom = design.rest.front().at(strut);
     const double top = design.rest.back().at(strut);
     design.lengths.at(strut) = std::max(bottom, top);
@@ -151,13 +156,13 @@ GridDesign designOnOffsets(const SurfaceMeasurement& measurement, const Eigen::M
   return design;
 }
 
-GridDesign designFromBendAngles(const BendAngleRequest& request) {
+GridDesign designFromBendAngles(const BendAngleRequest& request, int layers, double layerSpacing) {
   const int nodesU = request.nodesU;
   const int nodesV = request.nodesV;
   GridDesign design{nodesU,
                     nodesV,
-                    request.layers,
-                    request.layerSpacing,
+                    layers,
+                    layerSpacing,
                     request.spacing,
                     LateralField<double>(nodesU, nodesV, request.spacing),
                     LateralField<double>(nodesU, nodesV),
@@ -166,16 +171,14 @@ GridDesign designFromBendAngles(const BendAngleRequest& request) {
   const auto ramp = [](double first, double last, int strut, int count) {
     return count > 1 ? first + (last - first) * strut / (count - 1) : 0.5 * (first + last);
   };
-  for (int j = 0; j <= nodesV; ++j) {
-    for (int i = 0; i < nodesU; ++i) {
-      design.bendAngles.u(i, j) = ramp(request.firstThetaU, request.lastThetaU, i, nodesU);
-    }
-  }
-  for (int j = 0; j < nodesV; ++j) {
-    for (int i = 0; i <= nodesU; ++i) {
-      design.bendAngles.v(i, j) = ramp(request.firstThetaV, request.lastThetaV, j, nodesV);
-    }
-  }
+  const GridShape layer = design.lengths.shape();
+  forEachLateralStrut(layer, [&](const Strut& strut) {
+    const GridPlace place = layer.place(strut.from);
+    design.bendAngles.at(strut) =
+        strut.direction == Strut::Direction::u
+            ? ramp(request.firstThetaU, request.lastThetaU, place.i, nodesU)
+            : ramp(request.firstThetaV, request.lastThetaV, place.j, nodesV);
+  });
   setRestOfConvexSides(design);
   const double shrink = largestBendShrink(design);
   if (shrink >= 1) {
@@ -183,7 +186,7 @@ GridDesign designFromBendAngles(const BendAngleRequest& request) {
         fmt::format("bend angle, layer spacing {:g} and {} layers leave a strut of length {:g} "
                     "nothing (shrinkage "
                     "{:.4g} %, must be below 100 %); lower one of them",
-                    request.layerSpacing, request.layers, request.spacing, 100 * shrink));
+                    layerSpacing, layers, request.spacing, 100 * shrink));
   }
   return design;
 }
@@ -196,7 +199,7 @@ double restLength(double length, double bendAngle, double layerSpacing, int laye
 double largestBendShrink(const GridDesign& design) {
   double shrink = 0;
   for (const LateralField<double>& layer : design.rest) {
-    forEachLateralStrut(design.nodesU, design.nodesV, [&](const LateralStrut& strut) {
+    forEachLateralStrut(layer.shape(), [&](const Strut& strut) {
       shrink = std::max(shrink, 1 - layer.at(strut) / design.lengths.at(strut));
     });
   }

@@ -36,15 +36,15 @@ GridDesign designOnOffsets(const SurfaceMeasurement& measurement, const Eigen::M
 /// Straight from bend angles, for surfaces that are given by how they bend (Fig. 1(c)).
 /// theta runs linearly from the first to the last strut of each row.
 struct BendAngleRequest {
-  int nodesU;
-  int nodesV;
-  int layers;
-  double layerSpacing;
-  double spacing;
-  double firstThetaU, lastThetaU;  ///< rad
-  double firstThetaV, lastThetaV;  ///< rad
+  int nodesU = 1;
+  int nodesV = 1;
+  double spacing = 1;                      ///< Of the flat sheet, > 0
+  double firstThetaU = 0, lastThetaU = 0;  ///< rad
+  double firstThetaV = 0, lastThetaV = 0;  ///< rad
+
+  bool operator==(const BendAngleRequest&) const = default;
 };
-GridDesign designFromBendAngles(const BendAngleRequest& request);
+GridDesign designFromBendAngles(const BendAngleRequest& request, int layers, double layerSpacing);
 
 /// L_n = L0 - 2 n tau sin(|theta|/2), n counted from the layer on the convex side (Eq. 25):
 /// the bottom where theta > 0, the top where theta < 0.

@@ -132,12 +132,12 @@ int addTimes(tinygltf::Model& model, const Eigen::VectorXf& seconds) {
 }
 
 Eigen::Matrix3Xf strutEnds(const GridShape& shape, const Eigen::Matrix3Xd& positions) {
-  const std::vector<Strut> struts = listStruts(shape);
-  Eigen::Matrix3Xf ends(3, 2 * struts.size());
-  for (std::size_t i = 0; i < struts.size(); ++i) {
-    ends.col(2 * i) = positions.col(struts[i].from).cast<float>();
-    ends.col(2 * i + 1) = positions.col(struts[i].to).cast<float>();
-  }
+  Eigen::Matrix3Xf ends(3, 2 * shape.strutCount());
+  Eigen::Index n = 0;
+  forEachStrut(shape, [&](const Strut& strut) {
+    ends.col(n++) = positions.col(strut.from).cast<float>();
+    ends.col(n++) = positions.col(strut.to).cast<float>();
+  });
   return ends;
 }
 

@@ -23,8 +23,8 @@ int addIndices(tinygltf::Model& model, const Eigen::Matrix3Xi& triangles);
 int addPositions(tinygltf::Model& model, const Eigen::Matrix3Xf& positions);
 int addTimes(tinygltf::Model& model, const Eigen::VectorXf& seconds);
 
-/// Both ends of every strut, in the order of listStruts(): every strut has two vertices of its own,
-/// since shared ones would blend the colours of neighbours.
+/// Both ends of every strut, in the order of forEachStrut(): every strut has two vertices of its
+/// own, since shared ones would blend the colours of neighbours.
 Eigen::Matrix3Xf strutEnds(const GridShape& shape, const Eigen::Matrix3Xd& positions);
 
 /// The colours of both ends by the strut's strain.

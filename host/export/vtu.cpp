@@ -32,41 +32,40 @@ void setPoints(vtkUnstructuredGrid& target, const Eigen::Matrix3Xd& positions) {
   target.SetPoints(points);
 }
 
-void setLines(vtkUnstructuredGrid& target, const std::vector<Strut>& struts) {
+void setLines(vtkUnstructuredGrid& target, const GridShape& shape) {
   vtkNew<vtkCellArray> lines;
-  lines->AllocateExact(struts.size(), 2 * struts.size());
-  for (const Strut& strut : struts) {
-    lines->InsertNextCell({strut.from, strut.to});
-  }
+  lines->AllocateExact(shape.strutCount(), 2 * vtkIdType{shape.strutCount()});
+  forEachStrut(shape, [&](const Strut& strut) { lines->InsertNextCell({strut.from, strut.to}); });
   target.SetCells(VTK_LINE, lines);
 }
 
-/// valueOf(i) is the value of strut i.
 template <typename Array, typename ValueOf>
-void addCellArray(vtkUnstructuredGrid& target, const char* name, const ValueOf& valueOf) {
+void addCellArray(vtkUnstructuredGrid& target, const char* name, const GridShape& shape,
+                  const ValueOf& valueOf) {
   vtkNew<Array> values;
   values->SetName(name);
-  values->SetNumberOfValues(target.GetNumberOfCells());
-  for (vtkIdType i = 0; i < values->GetNumberOfValues(); ++i) {
-    values->SetValue(i, valueOf(i));
-  }
+  values->SetNumberOfValues(shape.strutCount());
+  vtkIdType n = 0;
+  forEachStrut(shape, [&](const Strut& strut) { values->SetValue(n++, valueOf(strut)); });
   target.GetCellData()->AddArray(values);
 }
 
 void fill(vtkUnstructuredGrid& target, const StrutGrid& grid, const Eigen::Matrix3Xd& positions) {
-  const std::vector<Strut> struts = listStruts(grid.shape);
-  const std::vector<double> strutStrains = strains(grid, positions);
+  const GridShape& shape = grid.shape;
   const StrutValues shrinks = computeShrinks(grid);
   setPoints(target, positions);
-  setLines(target, struts);
-  addCellArray<vtkDoubleArray>(target, "strain", [&](auto i) { return strutStrains[i]; });
-  addCellArray<vtkDoubleArray>(target, "rest_length",
-                               [&](auto i) { return valueAt(grid.rest, struts[i]); });
-  addCellArray<vtkDoubleArray>(target, "shrink",
-                               [&](auto i) { return valueAt(shrinks, struts[i]); });
-  addCellArray<vtkIntArray>(target, "layer", [&](auto i) { return struts[i].layer; });
-  addCellArray<vtkIntArray>(target, "direction",
-                            [&](auto i) { return static_cast<int>(struts[i].direction); });
+  setLines(target, shape);
+  addCellArray<vtkDoubleArray>(target, "strain", shape, [&](const Strut& strut) {
+    return strainAt(grid, positions, strut);
+  });
+  addCellArray<vtkDoubleArray>(target, "rest_length", shape,
+                               [&](const Strut& strut) { return valueAt(grid.rest, strut); });
+  addCellArray<vtkDoubleArray>(target, "shrink", shape,
+                               [&](const Strut& strut) { return valueAt(shrinks, strut); });
+  addCellArray<vtkIntArray>(target, "layer", shape,
+                            [&](const Strut& strut) { return strut.layer; });
+  addCellArray<vtkIntArray>(target, "direction", shape,
+                            [&](const Strut& strut) { return static_cast<int>(strut.direction); });
   target.GetCellData()->SetActiveScalars("strain");
 }
 

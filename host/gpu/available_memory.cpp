@@ -6,6 +6,8 @@
 #include <string>
 #include <string_view>
 
+#include "gpu/vulkan_device.h"
+
 namespace morphgrid {
 namespace {
 
@@ -51,9 +53,10 @@ std::uint64_t availableOnDevice(const vk::raii::PhysicalDevice& physical) {
 }  // namespace
 
 AvailableMemory availableMemory(const Device& device) {
-  const bool shared = device.physical().getProperties().deviceType == vk::PhysicalDeviceType::eCpu;
+  const bool shared =
+      device.handles().physical.getProperties().deviceType == vk::PhysicalDeviceType::eCpu;
   const std::uint64_t host = availableOnHost();
-  return {shared ? host : availableOnDevice(device.physical()), host, shared};
+  return {shared ? host : availableOnDevice(device.handles().physical), host, shared};
 }
 
 }  // namespace morphgrid

@@ -1,5 +1,7 @@
 #pragma once
+#include <cstdint>
 #include <cstring>
+#include <memory>
 #include <span>
 
 #include "gpu/device.h"
@@ -11,14 +13,29 @@ enum class MemoryKind {
   host,    ///< Mapped, coherent: for staging, small states and results.
 };
 
+/// What a buffer is used for, as Vulkan calls it; joined by |.
+enum class BufferUsage : std::uint32_t {
+  storageBuffer = 1,
+  uniformTexelBuffer = 2,  ///< For TexelAccess::fetch.
+  storageTexelBuffer = 4,  ///< For TexelAccess::image.
+  transferSrc = 8,
+  transferDst = 16,
+};
+
+constexpr BufferUsage operator|(BufferUsage a, BufferUsage b) {
+  return static_cast<BufferUsage>(static_cast<std::uint32_t>(a) | static_cast<std::uint32_t>(b));
+}
+
 /// A buffer with memory of its own.
 class Buffer {
  public:
   /// bytes > 0. Throws DeviceError when memory runs out.
-  Buffer(const Device& device, vk::DeviceSize bytes, vk::BufferUsageFlags usage, MemoryKind kind);
+  Buffer(const Device& device, std::uint64_t bytes, BufferUsage usage, MemoryKind kind);
+  Buffer(Buffer&&) = default;
+  Buffer& operator=(Buffer&&) = default;
 
-  vk::Buffer handle() const { return *buffer_; }
-  vk::DeviceSize bytes() const { return bytes_; }
+  VkBuffer handle() const { return handle_; }
+  std::uint64_t bytes() const { return bytes_; }
 
   /// The mapped content of a host buffer, as values of T.
   template <typename T>
@@ -27,12 +44,15 @@ class Buffer {
   }
 
  private:
-  vk::DeviceSize bytes_;
-  vk::raii::Buffer buffer_ = nullptr;
-  vk::raii::DeviceMemory memory_ = nullptr;
-  std::shared_ptr<const void> counted_;  ///< In the device's use of memory.
+  std::uint64_t bytes_;
+  VkBuffer handle_ = nullptr;
   void* mapped_ = nullptr;
+  std::shared_ptr<const void> owned_;  ///< The buffer and its memory.
 };
+
+/// Of four components.
+enum class TexelFormat { float4, int4 };
+constexpr std::uint32_t kTexelBytes = 16;
 
 enum class TexelAccess {
   fetch,  ///< A samplerBuffer, read by texelFetch.
@@ -43,15 +63,18 @@ enum class TexelAccess {
 class TexelView {
  public:
   /// Throws DeviceError when the buffer has more texels than the device allows.
-  TexelView(const Device& device, const Buffer& buffer, vk::Format format,
-            std::uint32_t bytesPerTexel, TexelAccess access = TexelAccess::fetch);
+  TexelView(const Device& device, const Buffer& buffer, TexelFormat format,
+            TexelAccess access = TexelAccess::fetch);
+  TexelView(TexelView&&) = default;
+  TexelView& operator=(TexelView&&) = default;
 
-  vk::BufferView handle() const { return *view_; }
+  VkBufferView handle() const { return handle_; }
   TexelAccess access() const { return access_; }
 
  private:
   TexelAccess access_;
-  vk::raii::BufferView view_ = nullptr;
+  VkBufferView handle_ = nullptr;
+  std::shared_ptr<const void> owned_;
 };
 
 }  // namespace morphgrid

@@ -1,9 +1,9 @@
 #pragma once
-#include "gpu/call_timer.h"
 #include "gpu/compute_kernel.h"
-#include "gpu/submission_pace.h"
 
 namespace morphgrid {
+
+class CommandBuffer;  // gpu/vulkan_commands.h
 
 /// Commands recorded once and submitted as often as wanted. Dispatches and copies are ordered: each
 /// sees what the ones before it wrote. Where a window shares the device, they go to it in parts, so
@@ -11,6 +11,9 @@ namespace morphgrid {
 class CommandStream {
  public:
   explicit CommandStream(const Device& device);
+  ~CommandStream();
+  CommandStream(CommandStream&&) noexcept;
+  CommandStream& operator=(CommandStream&&) = delete;
 
   /// Throws away what was recorded.
   void begin();
@@ -26,53 +29,25 @@ class CommandStream {
     dispatchBytes(kernel, nullptr, 0, groupsX, 1, 1);
   }
 
-  void copy(const Buffer& from, const Buffer& to, vk::DeviceSize bytes,
-            vk::DeviceSize fromOffset = 0);
+  void copy(const Buffer& from, const Buffer& to, std::uint64_t bytes,
+            std::uint64_t fromOffset = 0);
+  /// All its bytes become 0.
+  void clear(const Buffer& buffer);
   void end();
 
   /// Runs what was recorded and waits. Throws DeviceError when the device fails.
   void submitAndWait();
 
   /// For commands that this class does not know (rendering).
-  const vk::raii::CommandBuffer& commands() const { return parts_[last_].commands; }
+  const CommandBuffer& commands() const;
 
  private:
+  class Recorder;
+
   void dispatchBytes(const ComputeKernel& kernel, const void* push, std::uint32_t pushBytes,
                      std::uint32_t groupsX, std::uint32_t groupsY, std::uint32_t groupsZ);
-  /// What cannot be submitted but at once.
-  struct Part {
-    vk::raii::CommandBuffer commands;
-    std::vector<CallWork> work;
-    long groups = 0;
-  };
 
-  bool isCut() const;
-  void beginPart(std::size_t part);
-  /// A call that is to be recorded.
-  void count(const CallWork& call);
-  /// The first part that is not to be submitted together with `first`.
-  std::size_t endOfSubmission(std::size_t first) const;
-  void submitAndWait(std::size_t first, std::size_t end);
-  void orderAfterPrevious();
-  void bind(const ComputeKernel& kernel, const void* push, std::uint32_t pushBytes);
-  /// record(): one command, timed where the device keeps a profile.
-  template <typename Record>
-  void recordTimed(const char* name, Record record) {
-    if (timer_) {
-      timer_->recordStart(commands(), name);
-    }
-    record();
-    if (timer_) {
-      timer_->recordEnd(commands());
-    }
-  }
-
-  const Device& device_;
-  vk::raii::CommandPool pool_ = nullptr;
-  std::vector<Part> parts_;
-  std::size_t last_ = 0;  ///< Of the parts in use.
-  vk::raii::Fence fence_ = nullptr;
-  std::optional<CallTimer> timer_;
+  std::unique_ptr<Recorder> recorder_;
 };
 
 /// Fills a device buffer with `data`, through a staging buffer.

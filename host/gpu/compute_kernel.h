@@ -1,10 +1,12 @@
 #pragma once
 #include <memory>
-#include <optional>
 
-#include "gpu/kernel_program.h"
+#include "gpu/resource_set.h"
+#include "gpu/shader_code.h"
 
 namespace morphgrid {
+
+struct KernelProgram;  // gpu/vulkan_program.h
 
 /// A compute shader with its resources bound: ready to be dispatched.
 /// The resources must outlive it.
@@ -20,15 +22,13 @@ class ComputeKernel {
   ComputeKernel(const Device& device, const ComputeKernel& like,
                 const std::vector<KernelResource>& resources);
 
-  const char* name() const { return program_->name; }
-  /// Waits for the compiler. Throws DeviceError when it refuses.
-  vk::Pipeline pipeline() const { return *program_->pipeline.get(); }
-  vk::PipelineLayout layout() const { return *program_->layout; }
-  vk::DescriptorSet descriptorSet() const { return resources_->handle(); }
+  const char* name() const;
+  const KernelProgram& program() const { return *program_; }
+  const ResourceSet& resources() const { return resources_; }
 
  private:
   std::shared_ptr<const KernelProgram> program_;
-  std::optional<ResourceSet> resources_;
+  ResourceSet resources_;
 };
 
 }  // namespace morphgrid

@@ -8,8 +8,9 @@
 
 #include "core/error.h"
 #include "gpu/kernel_profile.h"
-#include "gpu/kernel_program.h"
 #include "gpu/submission_pace.h"
+#include "gpu/vulkan_device.h"
+#include "gpu/vulkan_program.h"
 
 namespace morphgrid {
 namespace {
@@ -211,12 +212,19 @@ std::uint32_t subgroupSizeOf(const vk::raii::PhysicalDevice& device) {
       .subgroupSize;
 }
 
-vk::PhysicalDeviceProperties limitedProperties(const vk::raii::PhysicalDevice& device,
-                                               std::uint32_t largestStorageBuffer) {
-  vk::PhysicalDeviceProperties properties = device.getProperties();
-  std::uint32_t& limit = properties.limits.maxStorageBufferRange;
-  limit = std::min(limit, largestStorageBuffer);
-  return properties;
+DeviceLimits limitsOf(const vk::raii::PhysicalDevice& device, std::uint32_t largestStorageBuffer) {
+  const auto chain = device.getProperties2<vk::PhysicalDeviceProperties2,
+                                           vk::PhysicalDeviceMaintenance3Properties>();
+  const vk::PhysicalDeviceLimits& limits =
+      chain.get<vk::PhysicalDeviceProperties2>().properties.limits;
+  return {std::min(limits.maxStorageBufferRange, largestStorageBuffer),
+          limits.maxTexelBufferElements,
+          chain.get<vk::PhysicalDeviceMaintenance3Properties>().maxMemoryAllocationSize,
+          limits.maxComputeWorkGroupCount};
+}
+
+bool offersFloat64(const vk::raii::PhysicalDevice& device) {
+  return device.getFeatures().shaderFloat64 != VK_FALSE;
 }
 
 vk::raii::Device createDevice(const vk::raii::PhysicalDevice& physical, std::uint32_t queueFamily,
@@ -237,11 +245,27 @@ vk::raii::Device createDevice(const vk::raii::PhysicalDevice& physical, std::uin
   }
 }
 
-std::shared_ptr<KernelProfile> createProfile(const vk::raii::PhysicalDevice& physical,
-                                             std::uint32_t queueFamily) {
-  if (physical.getQueueFamilyProperties()[queueFamily].timestampValidBits == 0) {
+std::shared_ptr<const DeviceHandles> createHandles(const DeviceOptions& options,
+                                                   std::vector<std::string>* messages) {
+  vk::raii::Context context = loadVulkan();
+  vk::raii::Instance instance = createInstance(context, options.validation, options.presentation);
+  vk::raii::DebugUtilsMessengerEXT messenger =
+      createMessenger(instance, options.validation, messages);
+  vk::raii::PhysicalDevice physical = selectDevice(instance, options);
+  const std::uint32_t queueFamily = *generalQueueFamily(physical);
+  vk::raii::Device device = createDevice(physical, queueFamily, offersFloat64(physical),
+                                         options.presentation.has_value());
+  vk::raii::Queue queue(device, queueFamily, 0);
+  const vk::PhysicalDeviceProperties properties = physical.getProperties();
+  return std::make_shared<const DeviceHandles>(DeviceHandles{
+      std::move(context), std::move(instance), std::move(messenger), std::move(physical),
+      properties, queueFamily, std::move(device), std::move(queue)});
+}
+
+std::shared_ptr<KernelProfile> createProfile(const DeviceHandles& handles) {
+  if (handles.physical.getQueueFamilyProperties()[handles.queueFamily].timestampValidBits == 0) {
     throw DeviceError(fmt::format("device {} has no timestamps: its calls cannot be timed",
-                                  physical.getProperties().deviceName.data()));
+                                  handles.properties.deviceName.data()));
   }
   return std::make_shared<KernelProfile>();
 }
@@ -263,31 +287,27 @@ std::vector<DeviceSummary> listDevices() {
 Device::Device(const DeviceOptions& options)
     : messages_(std::make_unique<std::vector<std::string>>()),
       memoryUse_(std::make_unique<MemoryUse>()),
-      context_(loadVulkan()),
-      instance_(createInstance(context_, options.validation, options.presentation)),
-      messenger_(createMessenger(instance_, options.validation, messages_.get())),
-      physical_(selectDevice(instance_, options)),
-      properties_(limitedProperties(physical_, options.largestStorageBuffer)),
-      queueFamily_(*generalQueueFamily(physical_)),
-      hasFloat64_(physical_.getFeatures().shaderFloat64 != VK_FALSE),
-      subgroupSize_(subgroupSizeOf(physical_)),
-      device_(createDevice(physical_, queueFamily_, hasFloat64_, options.presentation.has_value())),
-      queue_(device_, queueFamily_, 0),
+      handles_(createHandles(options, messages_.get())),
+      name_(handles_->properties.deviceName.data()),
+      limits_(limitsOf(handles_->physical, options.largestStorageBuffer)),
+      hasFloat64_(offersFloat64(handles_->physical)),
+      subgroupSize_(subgroupSizeOf(handles_->physical)),
       queueMutex_(std::make_unique<std::mutex>()),
       pace_(options.presentation ? std::make_shared<SubmissionPace>() : nullptr),
       programs_(std::make_shared<KernelPrograms>()),
-      profile_(options.profile ? createProfile(physical_, queueFamily_) : nullptr) {}
+      profile_(options.profile ? createProfile(*handles_) : nullptr) {}
 
-std::uint32_t Device::memoryType(std::uint32_t allowedBits, vk::MemoryPropertyFlags wanted) const {
-  const auto memory = physical_.getMemoryProperties();
+std::uint32_t DeviceHandles::memoryType(std::uint32_t allowedBits,
+                                        vk::MemoryPropertyFlags wanted) const {
+  const auto memory = physical.getMemoryProperties();
   for (std::uint32_t n = 0; n < memory.memoryTypeCount; ++n) {
     const bool allowed = (allowedBits >> n) & 1U;
     if (allowed && (memory.memoryTypes[n].propertyFlags & wanted) == wanted) {
       return n;
     }
   }
-  throw DeviceError(
-      fmt::format("device {} has no memory of type {}", name(), vk::to_string(wanted)));
+  throw DeviceError(fmt::format("device {} has no memory of type {}", properties.deviceName.data(),
+                                vk::to_string(wanted)));
 }
 
 }  // namespace morphgrid

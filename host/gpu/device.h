@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <functional>
 #include <limits>
 #include <memory>
@@ -6,8 +7,8 @@
 #include <optional>
 #include <string>
 #include <vector>
-#include <vulkan/vulkan_raii.hpp>
 
+#include "gpu/handle_names.h"
 #include "gpu/memory_use.h"
 
 namespace morphgrid {
@@ -15,6 +16,7 @@ namespace morphgrid {
 class KernelProfile;
 class KernelPrograms;
 class SubmissionPace;
+struct DeviceHandles;  // gpu/vulkan_device.h
 
 struct DeviceSummary {
   std::string name;
@@ -46,29 +48,29 @@ struct DeviceOptions {
   std::uint32_t largestStorageBuffer = std::numeric_limits<std::uint32_t>::max();
 };
 
+/// What Vulkan calls these, of a device: the most that it does.
+struct DeviceLimits {
+  std::uint32_t maxStorageBufferRange;    ///< Bytes that shaders reach of a buffer.
+  std::uint32_t maxTexelBufferElements;   ///< Texels that shaders reach of a buffer.
+  std::uint64_t maxMemoryAllocationSize;  ///< Bytes of a buffer.
+  std::array<std::uint32_t, 3> maxComputeWorkGroupCount;  ///< Of a dispatch.
+};
+
 /// A Vulkan device with one queue for compute, graphics, transfer and, where asked for, windows.
 class Device {
  public:
   /// Throws DeviceError that says what is missing and what to do.
   explicit Device(const DeviceOptions& options = {});
 
-  const vk::raii::Device& handle() const { return device_; }
-  const vk::raii::PhysicalDevice& physical() const { return physical_; }
-  const vk::raii::Instance& instance() const { return instance_; }
-  const vk::raii::Queue& queue() const { return queue_; }
+  const DeviceHandles& handles() const { return *handles_; }
   /// To be held wherever the queue is used: windows and solvers do so on threads of their own.
   std::mutex& queueMutex() const { return *queueMutex_; }
-  std::uint32_t queueFamily() const { return queueFamily_; }
-  const vk::PhysicalDeviceLimits& limits() const { return properties_.limits; }
-  std::string name() const { return properties_.deviceName.data(); }
+  const DeviceLimits& limits() const { return limits_; }
+  const std::string& name() const { return name_; }
   /// Whether shaders can compute in double precision.
   bool hasFloat64() const { return hasFloat64_; }
   /// Invocations that run in lockstep.
   std::uint32_t subgroupSize() const { return subgroupSize_; }
-  double nanosecondsPerTick() const { return properties_.limits.timestampPeriod; }
-
-  /// The index of a memory type with these properties; throws DeviceError when there is none.
-  std::uint32_t memoryType(std::uint32_t allowedBits, vk::MemoryPropertyFlags wanted) const;
 
   /// Of its buffers, host-visible ones too, as the driver rounds their sizes.
   MemoryUse& memoryUse() const { return *memoryUse_; }
@@ -89,16 +91,11 @@ class Device {
   // Behind a pointer: the layers' callback keeps its address when the Device moves.
   std::unique_ptr<std::vector<std::string>> messages_;
   std::unique_ptr<MemoryUse> memoryUse_;  // Buffers keep its address.
-  vk::raii::Context context_;
-  vk::raii::Instance instance_;
-  vk::raii::DebugUtilsMessengerEXT messenger_;
-  vk::raii::PhysicalDevice physical_;
-  vk::PhysicalDeviceProperties properties_;
-  std::uint32_t queueFamily_;
+  std::shared_ptr<const DeviceHandles> handles_;
+  std::string name_;
+  DeviceLimits limits_;
   bool hasFloat64_;
   std::uint32_t subgroupSize_;
-  vk::raii::Device device_;
-  vk::raii::Queue queue_;
   std::unique_ptr<std::mutex> queueMutex_;
   std::shared_ptr<SubmissionPace> pace_;
   std::shared_ptr<KernelPrograms> programs_;

@@ -1,59 +1,78 @@
 #pragma once
 #include <functional>
-#include <optional>
+#include <memory>
 #include <vector>
 
-#include "gpu/attachment.h"
+#include "gpu/device.h"
+#include "gpu/pixel_size.h"
 
 namespace morphgrid {
 
+class CommandBuffer;  // gpu/vulkan_commands.h
+
+/// Of images that are drawn into: 8 bits a component, as the shaders write them.
+enum class ColorFormat { rgba8, bgra8 };
+
+/// What is done with an image when it has been drawn into.
+enum class NextUse { copied, drawnOver };
+
 struct DrawPassOptions {
-  vk::Format format;            ///< Of the images that are drawn into.
-  std::uint32_t samples = 1;    ///< Of a pixel, where the device has as many: 1 or 4.
-  vk::ImageLayout finalLayout;  ///< Of these images.
+  ColorFormat format;         ///< Of the images that are drawn into.
+  std::uint32_t samples = 1;  ///< Of a pixel, where the device has as many: 1 or 4.
+  NextUse nextUse;            ///< Of these images.
 };
 
 /// How pictures are drawn: on white, with a depth test. Shaders see all that was written before,
 /// and what is written later waits for them.
 class DrawPass {
  public:
+  struct Handles;  // gpu/vulkan_pass.h
+
   /// Throws DeviceError when the device refuses.
   DrawPass(const Device& device, const DrawPassOptions& options);
+  DrawPass(DrawPass&&) = default;
+  DrawPass& operator=(DrawPass&&) = default;
 
-  vk::RenderPass renderPass() const { return *renderPass_; }
-  vk::SampleCountFlagBits samples() const { return samples_; }
-  vk::Format format() const { return format_; }
-  vk::Format depthFormat() const { return depthFormat_; }
+  /// Of a pixel.
+  std::uint32_t samples() const;
+  const Handles& handles() const { return *handles_; }
 
  private:
-  vk::Format format_;
-  vk::SampleCountFlagBits samples_;
-  vk::Format depthFormat_;
-  vk::raii::RenderPass renderPass_;
+  std::shared_ptr<const Handles> handles_;
 };
+
+/// A part of an image, in pixels.
+struct Viewport {
+  float left;
+  float top;
+  float width;
+  float height;
+};
+
+/// Records where draws go, inside a pass.
+void setViewport(const CommandBuffer& commands, const Viewport& viewport);
 
 /// Images of one size to draw into by a pass, with what it needs beside them.
 class Canvas {
  public:
-  /// width, height > 0, in pixels; images: of this size and the pass's format; they and the pass
-  /// must outlive it. Throws DeviceError when the device cannot draw such an image.
-  Canvas(const Device& device, const DrawPass& pass, std::uint32_t width, std::uint32_t height,
-         const std::vector<vk::ImageView>& images);
+  /// size > 0; images: of this size and the pass's format; they and the pass must outlive it.
+  /// Throws DeviceError when the device cannot draw such an image.
+  Canvas(const Device& device, const DrawPass& pass, PixelSize size,
+         const std::vector<VkImageView>& images);
+  Canvas(Canvas&&) = default;
+  Canvas& operator=(Canvas&&) = default;
 
-  std::uint32_t width() const { return width_; }
-  std::uint32_t height() const { return height_; }
+  PixelSize size() const { return size_; }
 
   /// Records the pass, `draw` inside it, into the image of this index.
-  void record(const vk::raii::CommandBuffer& commands, std::size_t image,
-              const std::function<void(const vk::raii::CommandBuffer&)>& draw) const;
+  void record(const CommandBuffer& commands, std::size_t image,
+              const std::function<void(const CommandBuffer&)>& draw) const;
 
  private:
-  vk::RenderPass renderPass_;
-  std::uint32_t width_;
-  std::uint32_t height_;
-  std::optional<Attachment> multisampled_;  ///< Only where a pixel has several samples.
-  Attachment depth_;
-  std::vector<vk::raii::Framebuffer> framebuffers_;
+  struct Handles;
+
+  PixelSize size_;
+  std::shared_ptr<const Handles> handles_;
 };
 
 }  // namespace morphgrid

@@ -1,5 +1,5 @@
 #pragma once
-
+#include "gpu/draw_pass.h"
 #include "gpu/resource_set.h"
 #include "gpu/shader_code.h"
 
@@ -8,6 +8,7 @@ namespace morphgrid {
 struct ShaderPair {
   ShaderCode vertex;
   ShaderCode fragment;
+  std::vector<std::uint32_t> constants = {};  ///< Values of constant_id 0, 1, ... of both.
 };
 
 enum class Blending {
@@ -29,29 +30,29 @@ class GraphicsPipeline {
   /// slots: what the vertex shader reads. Throws DeviceError when the device refuses.
   GraphicsPipeline(const Device& device, const ShaderPair& shaders,
                    const std::vector<ResourceSlot>& slots, std::uint32_t pushConstantBytes,
-                   vk::RenderPass renderPass, vk::SampleCountFlagBits samples,
-                   Blending blending = Blending::opaque,
+                   const DrawPass& pass, Blending blending = Blending::opaque,
                    Primitive primitive = Primitive::triangles);
+  GraphicsPipeline(GraphicsPipeline&&) = default;
+  GraphicsPipeline& operator=(GraphicsPipeline&&) = default;
 
-  vk::DescriptorSetLayout setLayout() const { return *setLayout_; }
+  const ResourceLayout& resourceLayout() const { return resourceLayout_; }
 
-  /// Records what draw() needs; inside the render pass.
-  void bind(const vk::raii::CommandBuffer& commands, const ResourceSet& resources) const;
+  /// Records what draw() needs; inside the pass.
+  void bind(const CommandBuffer& commands, const ResourceSet& resources) const;
 
   template <typename Push>
-  void draw(const vk::raii::CommandBuffer& commands, const Push& push,
-            std::uint32_t vertexCount) const {
-    commands.pushConstants<Push>(*layout_, kPushStages, 0, push);
-    commands.draw(vertexCount, 1, 0, 0);
+  void draw(const CommandBuffer& commands, const Push& push, std::uint32_t vertexCount) const {
+    drawBytes(commands, &push, sizeof(Push), vertexCount);
   }
 
  private:
-  static constexpr auto kPushStages =
-      vk::ShaderStageFlagBits::eVertex | vk::ShaderStageFlagBits::eFragment;
+  struct Handles;
 
-  vk::raii::DescriptorSetLayout setLayout_ = nullptr;
-  vk::raii::PipelineLayout layout_ = nullptr;
-  vk::raii::Pipeline pipeline_ = nullptr;
+  void drawBytes(const CommandBuffer& commands, const void* push, std::uint32_t pushBytes,
+                 std::uint32_t vertexCount) const;
+
+  ResourceLayout resourceLayout_;
+  std::shared_ptr<const Handles> handles_;
 };
 
 }  // namespace morphgrid

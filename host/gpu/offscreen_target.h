@@ -6,6 +6,8 @@
 
 namespace morphgrid {
 
+class Attachment;  // gpu/vulkan_attachment.h
+
 /// Colour and depth of a picture that is drawn off screen and read back.
 class OffscreenTarget {
  public:
@@ -14,20 +16,18 @@ class OffscreenTarget {
   OffscreenTarget(const Device& device, std::uint32_t width, std::uint32_t height,
                   std::uint32_t wantedSamples);
 
-  std::uint32_t width() const { return canvas_.width(); }
-  std::uint32_t height() const { return canvas_.height(); }
-  vk::RenderPass renderPass() const { return pass_.renderPass(); }
-  vk::SampleCountFlagBits samples() const { return pass_.samples(); }
+  PixelSize size() const { return canvas_.size(); }
+  const DrawPass& pass() const { return pass_; }
 
   /// Clears to white, records `draw` inside the render pass, with shaders seeing all that was
   /// written before, and waits. Returns height x width x 4 bytes, RGBA, from the top.
-  std::vector<std::uint8_t> render(const std::function<void(const vk::raii::CommandBuffer&)>& draw);
+  std::vector<std::uint8_t> render(const std::function<void(const CommandBuffer&)>& draw);
 
  private:
   void recordReadBack();
 
   DrawPass pass_;
-  Attachment color_;
+  std::shared_ptr<const Attachment> color_;
   Canvas canvas_;
   Buffer pixels_;
   CommandStream stream_;

@@ -3,22 +3,41 @@
 #include <fmt/format.h>
 
 #include "core/error.h"
+#include "gpu/vulkan_device.h"
 
 namespace morphgrid {
 namespace {
+
+struct OwnedSet {
+  vk::raii::DescriptorPool pool;
+  vk::raii::DescriptorSet set;
+};
+
+vk::DescriptorType vulkanType(ResourceType type) {
+  switch (type) {
+    case ResourceType::storageBuffer:
+      return vk::DescriptorType::eStorageBuffer;
+    case ResourceType::uniformTexelBuffer:
+      return vk::DescriptorType::eUniformTexelBuffer;
+    case ResourceType::storageTexelBuffer:
+      break;
+  }
+  return vk::DescriptorType::eStorageTexelBuffer;
+}
 
 vk::raii::DescriptorPool createPool(const Device& device,
                                     const std::vector<KernelResource>& resources) {
   std::vector<vk::DescriptorPoolSize> sizes;
   for (const KernelResource& resource : resources) {
-    sizes.emplace_back(resource.type(), 1);
+    sizes.emplace_back(vulkanType(resource.type()), 1);
   }
-  return {device.handle(), vk::DescriptorPoolCreateInfo(
-                               vk::DescriptorPoolCreateFlagBits::eFreeDescriptorSet, 1, sizes)};
+  return {
+      device.handles().device,
+      vk::DescriptorPoolCreateInfo(vk::DescriptorPoolCreateFlagBits::eFreeDescriptorSet, 1, sizes)};
 }
 
 vk::DescriptorBufferInfo bufferInfo(const Device& device, const BufferRange& range) {
-  const vk::DeviceSize limit = device.limits().maxStorageBufferRange;
+  const std::uint64_t limit = device.limits().maxStorageBufferRange;
   if (range.bytes > limit) {
     throw DeviceError(fmt::format(
         "device {} binds at most {} MiB of a buffer, {} MiB are needed; use a smaller grid",
@@ -28,27 +47,28 @@ vk::DescriptorBufferInfo bufferInfo(const Device& device, const BufferRange& ran
 }
 
 void writeDescriptor(const Device& device, vk::DescriptorSet set, const KernelResource& resource) {
-  vk::WriteDescriptorSet write(set, resource.binding, 0, 1, resource.type());
+  const vk::raii::Device& handle = device.handles().device;
+  vk::WriteDescriptorSet write(set, resource.binding, 0, 1, vulkanType(resource.type()));
   if (const auto* range = std::get_if<BufferRange>(&resource.resource)) {
     const vk::DescriptorBufferInfo info = bufferInfo(device, *range);
     write.pBufferInfo = &info;
-    device.handle().updateDescriptorSets(write, {});
+    handle.updateDescriptorSets(write, {});
   } else {
     const vk::BufferView view = std::get<const TexelView*>(resource.resource)->handle();
     write.pTexelBufferView = &view;
-    device.handle().updateDescriptorSets(write, {});
+    handle.updateDescriptorSets(write, {});
   }
 }
 
 }  // namespace
 
-vk::DescriptorType KernelResource::type() const {
+ResourceType KernelResource::type() const {
   if (std::holds_alternative<BufferRange>(resource)) {
-    return vk::DescriptorType::eStorageBuffer;
+    return ResourceType::storageBuffer;
   }
   return std::get<const TexelView*>(resource)->access() == TexelAccess::fetch
-             ? vk::DescriptorType::eUniformTexelBuffer
-             : vk::DescriptorType::eStorageTexelBuffer;
+             ? ResourceType::uniformTexelBuffer
+             : ResourceType::storageTexelBuffer;
 }
 
 std::vector<ResourceSlot> slotsOf(const std::vector<KernelResource>& resources) {
@@ -59,25 +79,37 @@ std::vector<ResourceSlot> slotsOf(const std::vector<KernelResource>& resources) 
   return slots;
 }
 
-vk::raii::DescriptorSetLayout createSetLayout(const Device& device,
-                                              const std::vector<ResourceSlot>& slots,
-                                              vk::ShaderStageFlags stages) {
+ResourceLayout::ResourceLayout(const Device& device, const std::vector<ResourceSlot>& slots,
+                               ShaderStage stage) try {
+  const auto stages = stage == ShaderStage::compute ? vk::ShaderStageFlagBits::eCompute
+                                                    : vk::ShaderStageFlagBits::eVertex;
   std::vector<vk::DescriptorSetLayoutBinding> bindings;
   for (const ResourceSlot& slot : slots) {
-    bindings.emplace_back(slot.binding, slot.type, 1, stages);
+    bindings.emplace_back(slot.binding, vulkanType(slot.type), 1, stages);
   }
-  return {device.handle(), vk::DescriptorSetLayoutCreateInfo({}, bindings)};
+  auto layout = std::make_shared<const vk::raii::DescriptorSetLayout>(
+      device.handles().device, vk::DescriptorSetLayoutCreateInfo({}, bindings));
+  handle_ = **layout;
+  owned_ = std::move(layout);
+} catch (const vk::SystemError& error) {
+  throw DeviceError(
+      fmt::format("device {} cannot lay out a shader's buffers: {}", device.name(), error.what()));
 }
 
-ResourceSet::ResourceSet(const Device& device, vk::DescriptorSetLayout layout,
-                         const std::vector<KernelResource>& resources)
-    : pool_(createPool(device, resources)),
-      set_(std::move(
-          vk::raii::DescriptorSets(device.handle(), vk::DescriptorSetAllocateInfo(*pool_, layout))
-              .front())) {
+ResourceSet::ResourceSet(const Device& device, const ResourceLayout& layout,
+                         const std::vector<KernelResource>& resources) try {
+  const vk::DescriptorSetLayout handle = layout.handle();
+  vk::raii::DescriptorPool pool = createPool(device, resources);
+  vk::raii::DescriptorSets sets(device.handles().device,
+                                vk::DescriptorSetAllocateInfo(*pool, handle));
   for (const KernelResource& resource : resources) {
-    writeDescriptor(device, *set_, resource);
+    writeDescriptor(device, *sets.front(), resource);
   }
+  handle_ = *sets.front();
+  owned_ = std::make_shared<const OwnedSet>(OwnedSet{std::move(pool), std::move(sets.front())});
+} catch (const vk::SystemError& error) {
+  throw DeviceError(
+      fmt::format("device {} cannot bind a shader's buffers: {}", device.name(), error.what()));
 }
 
 }  // namespace morphgrid

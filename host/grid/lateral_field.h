@@ -2,32 +2,9 @@
 #include <cassert>
 #include <vector>
 
+#include "grid/grid_topology.h"
+
 namespace morphgrid {
-
-/// The strut from vertex (i, j) to the next along u or v.
-struct LateralStrut {
-  bool alongU;
-  int i;
-  int j;
-
-  int toI() const { return alongU ? i + 1 : i; }
-  int toJ() const { return alongU ? j : j + 1; }
-};
-
-/// visit(LateralStrut) for all struts of a layer of nodesU x nodesV nodes, those along u first.
-template <typename Visit>
-void forEachLateralStrut(int nodesU, int nodesV, Visit visit) {
-  for (int j = 0; j <= nodesV; ++j) {
-    for (int i = 0; i < nodesU; ++i) {
-      visit(LateralStrut{true, i, j});
-    }
-  }
-  for (int j = 0; j < nodesV; ++j) {
-    for (int i = 0; i <= nodesU; ++i) {
-      visit(LateralStrut{false, i, j});
-    }
-  }
-}
 
 /// One value per lateral strut of a layer of nodesU x nodesV nodes.
 /// u struts: nodesU x (nodesV+1) of them, along +u; v struts: (nodesU+1) x nodesV, along +v.
@@ -43,6 +20,8 @@ class LateralField {
 
   int nodesU() const { return nodesU_; }
   int nodesV() const { return nodesV_; }
+  /// The layer, for forEachLateralStrut().
+  GridShape shape() const { return {nodesU_ + 1, nodesV_ + 1, 1}; }
 
   /// The strut from vertex (i, j) to (i+1, j); 0 <= i < nodesU, 0 <= j <= nodesV.
   T& u(int i, int j) { return u_[indexU(i, j)]; }
@@ -51,17 +30,21 @@ class LateralField {
   T& v(int i, int j) { return v_[indexV(i, j)]; }
   const T& v(int i, int j) const { return v_[indexV(i, j)]; }
 
-  T& at(const LateralStrut& strut) {
-    return strut.alongU ? u(strut.i, strut.j) : v(strut.i, strut.j);
-  }
-  const T& at(const LateralStrut& strut) const {
-    return strut.alongU ? u(strut.i, strut.j) : v(strut.i, strut.j);
-  }
+  /// A lateral strut of shape(), or of any layer of it.
+  T& at(const Strut& strut) { return at(*this, strut); }
+  const T& at(const Strut& strut) const { return at(*this, strut); }
 
   const std::vector<T>& allU() const { return u_; }
   const std::vector<T>& allV() const { return v_; }
 
  private:
+  template <typename Field>  // LateralField or const LateralField
+  static auto& at(Field& field, const Strut& strut) {
+    assert(strut.isLateral());
+    const GridPlace place = field.shape().place(strut.from);
+    return strut.direction == Strut::Direction::u ? field.u(place.i, place.j)
+                                                  : field.v(place.i, place.j);
+  }
   std::size_t indexU(int i, int j) const {
     assert(i >= 0 && i < nodesU_ && j >= 0 && j <= nodesV_);
     return static_cast<std::size_t>(j) * nodesU_ + i;

@@ -9,18 +9,6 @@
 namespace morphgrid {
 namespace {
 
-template <typename Values>  // StrutValues or const StrutValues
-auto& along(Values& values, Strut::Direction direction) {
-  switch (direction) {
-    case Strut::Direction::u:
-      return values.u;
-    case Strut::Direction::v:
-      return values.v;
-    default:
-      return values.w;
-  }
-}
-
 void requirePositive(double value, const char* what, const Strut& strut) {
   if (!(std::isfinite(value) && value > 0)) {
     throw InputError(fmt::format("strut {} -> {}: {} must be a finite number > 0, got {}",
@@ -33,36 +21,6 @@ bool hasSize(const StrutValues& values, std::size_t count) {
 }
 
 }  // namespace
-
-std::vector<Strut> listStruts(const GridShape& shape) {
-  std::vector<Strut> struts;
-  struts.reserve(shape.strutCount());
-  for (int k = 0; k < shape.layers; ++k) {
-    for (int j = 0; j < shape.verticesV; ++j) {
-      for (int i = 0; i < shape.verticesU; ++i) {
-        const int from = shape.index(i, j, k);
-        if (i + 1 < shape.verticesU) {
-          struts.push_back({from, shape.index(i + 1, j, k), Strut::Direction::u, k});
-        }
-        if (j + 1 < shape.verticesV) {
-          struts.push_back({from, shape.index(i, j + 1, k), Strut::Direction::v, k});
-        }
-        if (k + 1 < shape.layers) {
-          struts.push_back({from, shape.index(i, j, k + 1), Strut::Direction::w, k});
-        }
-      }
-    }
-  }
-  return struts;
-}
-
-double valueAt(const StrutValues& values, const Strut& strut) {
-  return along(values, strut.direction)[strut.from];
-}
-
-double& valueAt(StrutValues& values, const Strut& strut) {
-  return along(values, strut.direction)[strut.from];
-}
 
 void validate(const StrutGrid& grid) {
   const GridShape& shape = grid.shape;
@@ -89,30 +47,26 @@ void validate(const StrutGrid& grid) {
   if (!grid.positions.allFinite()) {
     throw InputError("every position of the grid must be finite");
   }
-  for (const Strut& strut : listStruts(shape)) {
+  forEachStrut(shape, [&](const Strut& strut) {
     requirePositive(valueAt(grid.rest, strut), "the rest length", strut);
     requirePositive(valueAt(grid.stiffness, strut), "the stiffness", strut);
-    requirePositive((grid.positions.col(strut.to) - grid.positions.col(strut.from)).norm(),
-                    "the initial length", strut);
-  }
+    requirePositive(lengthAt(grid.positions, strut), "the initial length", strut);
+  });
 }
 
 StrutGrid layerAtRest(const GridShape& shape, double spacing, const Eigen::Matrix3Xd& points) {
-  const GridShape layer{shape.verticesU, shape.verticesV, 1};
+  const GridShape layer = shape.layer();
   StrutGrid grid{layer, spacing, points, StrutValues(layer), StrutValues(layer), 1.0};
-  for (const Strut& strut : listStruts(layer)) {
-    valueAt(grid.rest, strut) = (points.col(strut.to) - points.col(strut.from)).norm();
+  forEachStrut(layer, [&](const Strut& strut) {
+    valueAt(grid.rest, strut) = lengthAt(points, strut);
     valueAt(grid.stiffness, strut) = 1;
-  }
+  });
   return grid;
 }
 
 Eigen::Matrix3Xd middleLayer(const GridShape& shape, const Eigen::Matrix3Xd& positions) {
-  const int count = shape.layerVertexCount();
-  const int below = (shape.layers - 1) / 2;
-  const int above = shape.layers / 2;
-  return 0.5 *
-         (positions.middleCols(below * count, count) + positions.middleCols(above * count, count));
+  return 0.5 * (layerOf(shape, positions, (shape.layers - 1) / 2) +
+                layerOf(shape, positions, shape.layers / 2));
 }
 
 }  // namespace morphgrid

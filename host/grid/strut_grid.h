@@ -2,23 +2,9 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "grid/grid_topology.h"
+
 namespace morphgrid {
-
-/// How many vertices a grid has; a node is a cell between them.
-struct GridShape {
-  int verticesU;
-  int verticesV;
-  int layers;
-
-  int layerVertexCount() const { return verticesU * verticesV; }
-  int vertexCount() const { return layerVertexCount() * layers; }
-  int index(int i, int j, int k) const { return (k * verticesV + j) * verticesU + i; }
-  int lateralStrutCount() const {
-    return layers * ((verticesU - 1) * verticesV + verticesU * (verticesV - 1));
-  }
-  int strutCount() const { return lateralStrutCount() + (layers - 1) * layerVertexCount(); }
-  bool operator==(const GridShape&) const = default;
-};
 
 /// One value per strut, stored at the vertex that the strut leaves in the +u, +v or +w direction;
 /// 0 where there is no such strut.
@@ -28,15 +14,6 @@ struct StrutValues {
   StrutValues() = default;
   explicit StrutValues(const GridShape& shape)
       : u(shape.vertexCount()), v(shape.vertexCount()), w(shape.vertexCount()) {}
-};
-
-/// A strut of the implicit topology.
-struct Strut {
-  enum class Direction { u, v, w };
-  int from;
-  int to;
-  Direction direction;
-  int layer;
 };
 
 /// A morphing problem: find the positions of least energy, starting from `positions`.
@@ -49,11 +26,23 @@ struct StrutGrid {
   double angleWeight;          ///< w of every corner, >= 0.
 };
 
-/// All struts, u before v before w at each vertex, vertices in index order.
-std::vector<Strut> listStruts(const GridShape& shape);
+template <typename Values>  // StrutValues or const StrutValues
+auto& valueAt(Values& values, const Strut& strut) {
+  using enum Strut::Direction;
+  auto& along = strut.direction == u ? values.u : strut.direction == v ? values.v : values.w;
+  return along[strut.from];
+}
 
-double valueAt(const StrutValues& values, const Strut& strut);
-double& valueAt(StrutValues& values, const Strut& strut);
+/// The distance of a strut's ends. positions: 3 x vertexCount.
+inline double lengthAt(const Eigen::Matrix3Xd& positions, const Strut& strut) {
+  return (positions.col(strut.to) - positions.col(strut.from)).norm();
+}
+
+/// The columns of layer k of a matrix with one column a vertex.
+template <typename Matrix>  // Eigen::Matrix3Xd or const Eigen::Matrix3Xd
+auto layerOf(const GridShape& shape, Matrix& vertices, int k) {
+  return vertices.middleCols(shape.index(0, k), shape.layerVertexCount());
+}
 
 /// Throws InputError when sizes do not fit together, a number is not finite, a rest length or
 /// stiffness of a strut is not positive, or neighbours start at the same place.

@@ -79,35 +79,30 @@ Eigen::Matrix3Xd apply(const SparseWeights& alongU, const SparseWeights& alongV,
   return samples;
 }
 
-Eigen::Matrix3Xi latticeTriangles(int countU, int countV) {
-  Eigen::Matrix3Xi triangles(3, 2 * (countU - 1) * (countV - 1));
+Eigen::Matrix3Xi latticeTriangles(const GridShape& lattice) {
+  Eigen::Matrix3Xi triangles(3, 2 * lattice.layerCellCount());
   int next = 0;
-  for (int j = 0; j + 1 < countV; ++j) {
-    for (int i = 0; i + 1 < countU; ++i) {
-      const int corner = j * countU + i;
-      triangles.col(next++) << corner, corner + 1, corner + countU + 1;
-      triangles.col(next++) << corner, corner + countU + 1, corner + countU;
-    }
-  }
+  forEachCell(lattice, [&](const Cell& cell) {
+    triangles.col(next++) << cell.vertex(0, 0), cell.vertex(1, 0), cell.vertex(1, 1);
+    triangles.col(next++) << cell.vertex(0, 0), cell.vertex(1, 1), cell.vertex(0, 1);
+  });
   return triangles;
 }
 
 /// Sums of the area vectors of the cells around each vertex, each the cross product of the cell's
 /// diagonals: unlike a triangle it keeps its direction when one side of the cell collapses.
-Eigen::Matrix3Xd areaVectors(int countU, int countV, const Eigen::Matrix3Xd& vertices) {
+Eigen::Matrix3Xd areaVectors(const GridShape& lattice, const Eigen::Matrix3Xd& vertices) {
   Eigen::Matrix3Xd sums = Eigen::Matrix3Xd::Zero(3, vertices.cols());
-  for (int j = 0; j + 1 < countV; ++j) {
-    for (int i = 0; i + 1 < countU; ++i) {
-      const int corner = j * countU + i;
-      const int opposite = corner + countU + 1;
-      const Eigen::Vector3d rising = vertices.col(opposite) - vertices.col(corner);
-      const Eigen::Vector3d falling = vertices.col(opposite - 1) - vertices.col(corner + 1);
-      const Eigen::Vector3d area = rising.cross(falling);
-      for (const int vertex : {corner, corner + 1, opposite - 1, opposite}) {
-        sums.col(vertex) += area;
-      }
+  forEachCell(lattice, [&](const Cell& cell) {
+    const Eigen::Vector3d rising =
+        vertices.col(cell.vertex(1, 1)) - vertices.col(cell.vertex(0, 0));
+    const Eigen::Vector3d falling =
+        vertices.col(cell.vertex(0, 1)) - vertices.col(cell.vertex(1, 0));
+    const Eigen::Vector3d area = rising.cross(falling);
+    for (const int vertex : cell.vertices) {
+      sums.col(vertex) += area;
     }
-  }
+  });
   return sums;
 }
 
@@ -147,18 +142,19 @@ Eigen::Matrix3Xd computeNormals(const Eigen::Matrix3Xd& tangentsU,
 
 }  // namespace
 
-SurfaceMesh tessellate(int countU, int countV, const Eigen::Matrix3Xd& points, int refine) {
-  assert(countU >= 2 && countV >= 2 && refine >= 1 && points.cols() == countU * countV);
-  const SplineSamples u = sampleSpline(countU, refine);
-  const SplineSamples v = sampleSpline(countV, refine);
-  const int samplesU = static_cast<int>(u.position.rows());
-  const int samplesV = static_cast<int>(v.position.rows());
+SurfaceMesh tessellate(const GridShape& shape, const Eigen::Matrix3Xd& points, int refine) {
+  assert(shape.verticesU >= 2 && shape.verticesV >= 2 && refine >= 1);
+  assert(points.cols() == shape.layerVertexCount());
+  const SplineSamples u = sampleSpline(shape.verticesU, refine);
+  const SplineSamples v = sampleSpline(shape.verticesV, refine);
+  const GridShape samples{static_cast<int>(u.position.rows()), static_cast<int>(v.position.rows()),
+                          1};
   SurfaceMesh mesh;
   mesh.vertices = apply(u.position, v.position, points);
-  mesh.normals = computeNormals(apply(u.derivative, v.position, points),
-                                apply(u.position, v.derivative, points),
-                                areaVectors(samplesU, samplesV, mesh.vertices));
-  mesh.triangles = latticeTriangles(samplesU, samplesV);
+  mesh.normals =
+      computeNormals(apply(u.derivative, v.position, points),
+                     apply(u.position, v.derivative, points), areaVectors(samples, mesh.vertices));
+  mesh.triangles = latticeTriangles(samples);
   return mesh;
 }
 

@@ -1,6 +1,8 @@
 #pragma once
 #include <Eigen/Core>
 
+#include "grid/grid_topology.h"
+
 namespace morphgrid {
 
 /// A triangle mesh over a lattice of points.
@@ -10,8 +12,9 @@ struct SurfaceMesh {
   Eigen::Matrix3Xi triangles;  ///< Vertex indices, counter-clockwise about the normal.
 };
 
-/// Triangulates a lattice of countU x countV points (index j countU + i), with `refine` x `refine`
-/// cells per lattice cell on the Catmull-Rom surface through the points; refine >= 1.
-SurfaceMesh tessellate(int countU, int countV, const Eigen::Matrix3Xd& points, int refine);
+/// Triangulates a layer of points, of whose shape the layers do not count (one column a vertex),
+/// with `refine` x `refine` cells per cell on the Catmull-Rom surface through the points; refine
+/// >= 1.
+SurfaceMesh tessellate(const GridShape& shape, const Eigen::Matrix3Xd& points, int refine);
 
 }  // namespace morphgrid

@@ -1,6 +1,7 @@
 #pragma once
 #include <Eigen/Core>
 #include <deque>
+#include <utility>
 
 namespace morphgrid {
 
@@ -8,6 +9,11 @@ namespace morphgrid {
 /// their bound stay there, the others move.
 class BoundedLbfgs {
  public:
+  struct Pair {
+    Eigen::VectorXd step;
+    Eigen::VectorXd change;  ///< Of the gradient.
+  };
+
   /// low <= high, of the same size.
   BoundedLbfgs(Eigen::VectorXd low, Eigen::VectorXd high);
 
@@ -25,12 +31,11 @@ class BoundedLbfgs {
   void clear() { pairs_.clear(); }
   bool empty() const { return pairs_.empty(); }
 
- private:
-  struct Pair {
-    Eigen::VectorXd step;
-    Eigen::VectorXd change;
-  };
+  /// The oldest first. Given to another one, it goes on as this one would.
+  const std::deque<Pair>& pairs() const { return pairs_; }
+  void setPairs(std::deque<Pair> pairs) { pairs_ = std::move(pairs); }
 
+ private:
   /// 1 where a variable may move, 0 where the gradient holds it at its bound.
   Eigen::ArrayXd freedom(const Eigen::VectorXd& x, const Eigen::VectorXd& gradient) const;
 

@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "solve/morph_course.h"
-#include "solve/multigrid_solver.h"
 
 namespace morphgrid {
 namespace {
@@ -24,6 +23,7 @@ constexpr int kLineSearchSteps = 6;
 constexpr double kBacktracking = 0.3;
 // On the way an equilibrium need not be better than the distance that it is measured for.
 constexpr double kEnergyTolerance = 1e-8;
+constexpr int kQuietSteps = 1;
 // After so many steps the equilibrium is solved as well as the last one will be.
 constexpr int kStepsToSettle = 10;
 // So many times the objective: the grid has left for another equilibrium.
@@ -52,41 +52,47 @@ VectorXd highest(const VectorXd& designed, const VectorXd& printed,
 
 }  // namespace
 
-std::string toString(InverseStep::Kind kind) {
-  switch (kind) {
-    case InverseStep::Kind::design:
-      return "design";
-    case InverseStep::Kind::compensate:
-      return "compensate";
-    case InverseStep::Kind::optimise:
-      break;
-  }
-  return "optimise";
-}
-
-InverseDesigner::InverseDesigner(const Device& device, StrutGrid& grid, DeviceGrid& deviceGrid,
-                                 const Eigen::Matrix3Xd& targets, InverseOptions options)
-    : device_(device),
-      grid_(grid),
-      deviceGrid_(deviceGrid),
+InverseDesigner::InverseDesigner(MultigridSolver& solver, const Eigen::Matrix3Xd& targets,
+                                 InverseOptions options)
+    : solver_(solver),
       targets_(targets),
       options_(std::move(options)),
-      lateral_(grid.shape),
-      designed_(lateral_.of(grid)),
-      printed_(lateral_.lengthsAt(grid.positions)),
+      onTheWay_(options_.solve),
+      toTheEnd_(options_.solve),
+      lateral_(solver.grid().shape),
+      designed_(lateral_.of(solver.grid())),
+      printed_(lateral_.lengthsAt(solver.grid().positions)),
       low_(lowest(designed_, printed_, options_.shrinkLimit)),
       high_(highest(designed_, printed_, options_.shrinkLimit)),
       lbfgs_(low_, high_),
-      adjoint_(device, deviceGrid) {}
+      pace_(options_.onCheckpoint) {
+  for (SolveOptions* solve : {&onTheWay_, &toTheEnd_}) {
+    solve->startsNear = true;
+    solve->onCheckpoint = nullptr;
+    solve->resumeFrom.reset();
+  }
+  onTheWay_.energyTolerance = kEnergyTolerance;
+  onTheWay_.quietSteps = kQuietSteps;
+}
 
 InverseDesign InverseDesigner::run(Equilibrium first) {
-  start_ = now();
-  begin(std::move(first));
-  compensate();
-  if (!settle()) {
-    state_ = kept_;
+  result_.ending = "all steps done";
+  if (options_.resumeFrom) {
+    resume(std::move(*options_.resumeFrom));
+  } else {
+    start_ = now();
+    begin(std::move(first));
+  }
+  if (!compensated_) {
+    compensate();
+    if (!options_.solve.stopRequested() && !settle()) {
+      state_ = kept_;
+      isPlaced_ = false;
+    }
+    compensated_ = !options_.solve.stopRequested();
   }
   optimise();
+  offerCheckpoint();
   if (options_.solve.stopRequested()) {
     result_.ending = "interrupted";
   }
@@ -95,24 +101,63 @@ InverseDesign InverseDesigner::run(Equilibrium first) {
         fmt::format("in step {} the grid left for another equilibrium", result_.steps.size() - 1);
     result_.steps.resize(keptSteps_);
   }
-  lateral_.set(grid_, kept_.rest);
+  result_.rest = lateral_.replacedIn(solver_.grid(), kept_.rest);
+  solver_.setRest(result_.rest);
   morphFromFlat();
-  deviceGrid_.uploadRest(grid_.rest);
-  deviceGrid_.uploadPositions(kept_.equilibrium.positions);
+  solver_.moveTo(kept_.equilibrium.positions);
   result_.equilibrium = std::move(kept_.equilibrium);
   return std::move(result_);
 }
 
+std::optional<InverseDesign> InverseDesigner::salvage() const {
+  if (result_.steps.empty()) {
+    return std::nullopt;
+  }
+  return InverseDesign{lateral_.replacedIn(solver_.grid(), state_.rest), state_.equilibrium,
+                       result_.steps, "device failure", std::nullopt};
+}
+
 void InverseDesigner::begin(Equilibrium first) {
   const VectorXd rest = lbfgs_.project(designed_);
-  ShapeError error = computeShapeError(grid_.shape, first.positions, targets_);
-  state_ = {designed_, std::move(first), std::move(error)};
+  state_ = stateOf({designed_, std::move(first)});
   if (rest != designed_) {
-    state_ = morphed(rest, kEnergyTolerance);
+    state_ = morphed(rest, onTheWay_);
+    isPlaced_ = true;
   }
-  result_.ending = "all steps done";
   log(InverseStep::Kind::design, 0);
   keep();
+}
+
+void InverseDesigner::resume(InverseCheckpoint from) {
+  requireSizes(from, lateral_.size(), solver_.grid().shape.vertexCount());
+  state_ = stateOf(std::move(from.present));
+  kept_ = stateOf(std::move(from.kept));
+  keptSteps_ = from.keptSteps;
+  compensated_ = from.compensated;
+  result_.steps = std::move(from.steps);
+  objectives_ = std::move(from.objectives);
+  lbfgs_.setPairs(std::move(from.pairs));
+  start_ = now() - (result_.steps.empty() ? 0 : result_.steps.back().seconds);
+}
+
+InverseDesigner::State InverseDesigner::stateOf(InverseCheckpoint::Design design) const {
+  ShapeError error =
+      computeShapeError(solver_.grid().shape, design.equilibrium.positions, targets_);
+  return {std::move(design.rest), std::move(design.equilibrium), std::move(error)};
+}
+
+InverseCheckpoint InverseDesigner::checkpoint() const {
+  return {compensated_,
+          {state_.rest, state_.equilibrium},
+          {kept_.rest, kept_.equilibrium},
+          keptSteps_,
+          result_.steps,
+          objectives_,
+          lbfgs_.pairs()};
+}
+
+void InverseDesigner::offerCheckpoint() {
+  pace_.offer(compensated_ ? 1 : 0, options_.solve.stopRequested(), [&] { return checkpoint(); });
 }
 
 void InverseDesigner::keep() {
@@ -122,65 +167,75 @@ void InverseDesigner::keep() {
 
 /// Keeps the present design if its equilibrium holds when it is solved to the end.
 bool InverseDesigner::settle() {
-  State settled = morphed(state_.rest, options_.solve.energyTolerance);
+  State settled = morphed(state_.rest, toTheEnd_);
   if (settled.error.objective > kGaveWay * state_.error.objective) {
     return false;
   }
   state_ = std::move(settled);
+  isPlaced_ = true;
   keep();
   return true;
 }
 
 /// What is printed starts flat, not at the last design's equilibrium.
 void InverseDesigner::morphFromFlat() {
-  SolveOptions solve = options_.solve;
-  solve.onProgress = nullptr;  // Who looks on sees the designed grid.
+  SolveOptions solve = toTheEnd_;
+  solve.onProgress = nullptr;
   solve.onGrid = nullptr;
-  const Equilibrium end = followMorph(device_, grid_, {.steps = kMorphSteps, .solve = solve}).end;
+  const Equilibrium end = followMorph(solver_, {.steps = kMorphSteps, .solve = solve}).end;
   if (options_.solve.stopRequested()) {
     return;
   }
   const double energy = kept_.equilibrium.energy;
-  result_.fromFlat =
-      FromFlat{.sameEquilibrium = std::abs(end.energy - energy) <= kSameEnergy * energy,
-               .rmsPercent = computeShapeError(grid_.shape, end.positions, targets_).rmsPercent};
+  result_.fromFlat = FromFlat{
+      .sameEquilibrium = std::abs(end.energy - energy) <= kSameEnergy * energy,
+      .rmsPercent = computeShapeError(solver_.grid().shape, end.positions, targets_).rmsPercent};
 }
 
-/// Solves from the present state with other rest lengths.
-InverseDesigner::State InverseDesigner::morphed(const VectorXd& rest, double energyTolerance) {
-  lateral_.set(grid_, rest);
-  deviceGrid_.uploadRest(grid_.rest);
-  deviceGrid_.uploadPositions(state_.equilibrium.positions);
-  SolveOptions solve = options_.solve;
-  solve.startsNear = true;
-  solve.energyTolerance = energyTolerance;
-  Equilibrium equilibrium = solveMultigrid(device_, grid_, deviceGrid_, solve);
+void InverseDesigner::place() {
+  if (!isPlaced_) {
+    solver_.setRest(lateral_.replacedIn(solver_.grid(), state_.rest));
+    solver_.moveTo(state_.equilibrium.positions);
+    isPlaced_ = true;
+  }
+}
+
+/// Solves from the present state with other rest lengths. The solver then stands there.
+InverseDesigner::State InverseDesigner::morphed(const VectorXd& rest, const SolveOptions& solve) {
+  if (!isPlaced_) {
+    solver_.moveTo(state_.equilibrium.positions);
+  }
+  isPlaced_ = false;
+  solver_.setRest(lateral_.replacedIn(solver_.grid(), rest));
+  Equilibrium equilibrium = solver_.solve(solve);
   cycles_ += equilibrium.iterations;
-  ShapeError error = computeShapeError(grid_.shape, equilibrium.positions, targets_);
-  return {rest, std::move(equilibrium), std::move(error)};
+  return stateOf({rest, std::move(equilibrium)});
 }
 
 void InverseDesigner::compensate() {
-  for (int round = 1; round <= options_.compensateRounds && !options_.solve.stopRequested();
-       ++round) {
+  const auto done = std::count_if(
+      result_.steps.begin(), result_.steps.end(),
+      [](const InverseStep& step) { return step.kind == InverseStep::Kind::compensate; });
+  for (int round = 1 + static_cast<int>(done);
+       round <= options_.compensateRounds && !options_.solve.stopRequested(); ++round) {
+    offerCheckpoint();
     const VectorXd lengths = lateral_.lengthsAt(state_.equilibrium.positions);
     const VectorXd rest = state_.rest.cwiseProduct(designed_).cwiseQuotient(lengths);
-    State next = morphed(lbfgs_.project(rest), kEnergyTolerance);
+    State next = morphed(lbfgs_.project(rest), onTheWay_);
     if (next.error.objective >= state_.error.objective) {
       break;  // It cannot see twist, and may lead away.
     }
     state_ = std::move(next);
+    isPlaced_ = true;
     log(InverseStep::Kind::compensate, round);
   }
 }
 
 VectorXd InverseDesigner::gradient() {
-  lateral_.set(grid_, state_.rest);
-  deviceGrid_.uploadRest(grid_.rest);
-  deviceGrid_.uploadPositions(state_.equilibrium.positions);
-  const Adjoint adjoint = adjoint_.solve(state_.error.gradient);
+  place();
+  const Adjoint adjoint = solver_.solveAdjoint(state_.error.gradient);
   products_ += adjoint.products;
-  return lateral_.gradient(grid_, state_.equilibrium.positions, adjoint.lambda);
+  return lateral_.gradient(solver_.grid(), state_.equilibrium.positions, adjoint.lambda);
 }
 
 bool InverseDesigner::falls() const {
@@ -191,42 +246,55 @@ bool InverseDesigner::falls() const {
 
 void InverseDesigner::optimise() {
   VectorXd slope;
-  for (int step = 1; step <= options_.optimiseSteps && !options_.solve.stopRequested(); ++step) {
-    if (slope.size() == 0) {
-      slope = gradient();
-    }
-    const VectorXd before = state_.rest;
-    VectorXd direction = lbfgs_.direction(before, slope, kFirstStep * grid_.spacing);
-    direction *= std::min(1.0, kLargestStep * grid_.spacing / direction.cwiseAbs().maxCoeff());
-    if (!searchLine(direction)) {
-      if (lbfgs_.empty()) {
-        result_.ending = "the distance no longer falls";
-        return;
-      }
-      lbfgs_.clear();
-      continue;
-    }
-    const VectorXd newSlope = gradient();
-    lbfgs_.add(state_.rest - before, newSlope - slope);
-    slope = newSlope;
-    log(InverseStep::Kind::optimise, step);
-    if (step % kStepsToSettle == 0 && !settle()) {
-      return;
-    }
-    objectives_.push_back(state_.error.objective);
-    if (!falls()) {
+  const InverseStep& last = result_.steps.back();
+  int step = last.kind == InverseStep::Kind::optimise ? last.number : 0;
+  while (++step <= options_.optimiseSteps && !options_.solve.stopRequested()) {
+    offerCheckpoint();
+    const Outcome outcome = falls() ? improve(slope, step) : Outcome::fallsNoFurther;
+    if (outcome == Outcome::fallsNoFurther) {
       result_.ending = "the distance no longer falls";
       return;
     }
+    if (outcome == Outcome::better) {
+      if (step % kStepsToSettle == 0 && !settle()) {
+        return;
+      }
+      objectives_.push_back(state_.error.objective);
+    }
   }
+}
+
+InverseDesigner::Outcome InverseDesigner::improve(VectorXd& slope, int step) {
+  if (slope.size() == 0) {
+    slope = gradient();
+  }
+  const VectorXd before = state_.rest;
+  const double spacing = solver_.grid().spacing;
+  VectorXd direction = lbfgs_.direction(before, slope, kFirstStep * spacing);
+  direction *= std::min(1.0, kLargestStep * spacing / direction.cwiseAbs().maxCoeff());
+  if (!searchLine(direction)) {
+    if (lbfgs_.empty()) {
+      return Outcome::fallsNoFurther;
+    }
+    if (!options_.solve.stopRequested()) {
+      lbfgs_.clear();
+    }
+    return Outcome::searchesAnew;
+  }
+  const VectorXd newSlope = gradient();
+  lbfgs_.add(state_.rest - before, newSlope - slope);
+  slope = newSlope;
+  log(InverseStep::Kind::optimise, step);
+  return Outcome::better;
 }
 
 bool InverseDesigner::searchLine(const VectorXd& direction) {
   double length = 1;
   for (int attempt = 0; attempt < kLineSearchSteps && !options_.solve.stopRequested(); ++attempt) {
-    State next = morphed(lbfgs_.project(state_.rest + length * direction), kEnergyTolerance);
+    State next = morphed(lbfgs_.project(state_.rest + length * direction), onTheWay_);
     if (next.equilibrium.converged && next.error.objective < state_.error.objective) {
       state_ = std::move(next);
+      isPlaced_ = true;
       return true;
     }
     length *= kBacktracking;

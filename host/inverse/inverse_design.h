@@ -4,35 +4,13 @@
 #include <string>
 #include <vector>
 
-#include "inverse/bounded_lbfgs.h"
+#include "inverse/inverse_checkpoint.h"
 #include "inverse/lateral_rest.h"
 #include "inverse/shape_error.h"
-#include "solve/adjoint_solver.h"
-#include "solve/device_grid.h"
-#include "solve/equilibrium.h"
+#include "solve/checkpoint_pace.h"
+#include "solve/multigrid_solver.h"
 
 namespace morphgrid {
-
-/// One change of the rest lengths, with the grid solved again.
-struct InverseStep {
-  enum class Kind {
-    design,      ///< The design as it came, within the bounds.
-    compensate,  ///< Spring-back correction.
-    optimise,    ///< A step along the adjoint gradient.
-  };
-  Kind kind;
-  int number;         ///< Of its kind, from 1; 0 for the design.
-  double rmsPercent;  ///< Distance to the target, see ShapeError.
-  double maxPercent;
-  double largestShrinkPercent;  ///< 1 - rest / printed length, over all lateral struts.
-  long strutsAtBound;
-  long cycles;          ///< Of multigrid, to the new equilibria.
-  int adjointProducts;  ///< Hessian products and cycles of the adjoint.
-  double seconds;       ///< Since inverse design began.
-};
-
-/// "design", "compensate", "optimise".
-std::string toString(InverseStep::Kind kind);
 
 struct InverseOptions {
   int compensateRounds = 0;           ///< >= 0
@@ -40,6 +18,11 @@ struct InverseOptions {
   std::optional<double> shrinkLimit;  ///< Share of its printed length that a strut may lose.
   SolveOptions solve;                 ///< Of the last equilibrium.
   std::function<void(const InverseStep&)> onStep;  ///< May be empty.
+  /// Called with where it stands, as often as costs 1 % of the time, and when it has to end early;
+  /// may be empty.
+  std::function<void(InverseCheckpoint)> onCheckpoint;
+  /// Of an inverse design of the same grid, targets and bounds. Steps and seconds count on.
+  std::optional<InverseCheckpoint> resumeFrom;
 };
 
 /// Where the chosen design gets by a slow morph from the printed sheet, see followMorph().
@@ -49,26 +32,32 @@ struct FromFlat {
 };
 
 struct InverseDesign {
-  Equilibrium equilibrium;         ///< Of the design that was kept.
-  std::vector<InverseStep> steps;  ///< Up to the design that was kept.
-  /// "all steps done", "the distance no longer falls", "interrupted", "in step N the grid left for
-  /// another equilibrium".
+  StrutValues rest;                ///< The design that was kept.
+  Equilibrium equilibrium;         ///< Its.
+  std::vector<InverseStep> steps;  ///< Up to it.
+  /// "all steps done", "the distance no longer falls", "interrupted", "device failure", "in step N
+  /// the grid left for another equilibrium".
   std::string ending;
-  std::optional<FromFlat> fromFlat;  ///< Not after an interruption.
+  std::optional<FromFlat> fromFlat;  ///< Not where it ended early.
 };
 
 /// Chooses lateral rest lengths so that the simulated grid, not the single strut, meets its target:
 /// first spring-back correction, then L-BFGS on the adjoint gradient over the box of what a strut
-/// may do. Each equilibrium starts from the last one.
+/// may do. Each equilibrium starts from the last one, less tightly solved; every so often a design
+/// is settled: solved to the end and, if it holds, kept.
 class InverseDesigner {
  public:
-  /// grid: stacked, at the positions where it is printed, with its designed rest lengths; gets the
-  /// new ones. targets: 3 x layerVertexCount. Keeps references; the device grid holds the grid.
-  InverseDesigner(const Device& device, StrutGrid& grid, DeviceGrid& deviceGrid,
-                  const Eigen::Matrix3Xd& targets, InverseOptions options);
+  /// The solver's grid is stacked, at the positions where it is printed, with its designed rest
+  /// lengths. targets: 3 x layerVertexCount. Keeps references.
+  InverseDesigner(MultigridSolver& solver, const Eigen::Matrix3Xd& targets, InverseOptions options);
 
-  /// first: the designed grid's equilibrium. Throws DeviceError when the device fails.
+  /// first: the designed grid's equilibrium. The solver holds the design that is kept afterwards.
+  /// Throws DeviceError when the device fails, InputError when the checkpoint to resume from is of
+  /// another grid.
   InverseDesign run(Equilibrium first);
+
+  /// The design reached when run() has thrown DeviceError; nothing when there was none yet.
+  std::optional<InverseDesign> salvage() const;
 
  private:
   struct State {
@@ -78,32 +67,43 @@ class InverseDesigner {
   };
 
   void begin(Equilibrium first);
+  void resume(InverseCheckpoint from);
+  State stateOf(InverseCheckpoint::Design design) const;
+  InverseCheckpoint checkpoint() const;
   void compensate();
   void optimise();
+  /// One step of optimisation.
+  enum class Outcome { better, searchesAnew, fallsNoFurther };
+  Outcome improve(Eigen::VectorXd& slope, int step);
   void keep();
   bool settle();
   void morphFromFlat();
   bool searchLine(const Eigen::VectorXd& direction);
-  State morphed(const Eigen::VectorXd& rest, double energyTolerance);
+  /// Brings the solver to where the present state is.
+  void place();
+  State morphed(const Eigen::VectorXd& rest, const SolveOptions& solve);
   Eigen::VectorXd gradient();
   void log(InverseStep::Kind kind, int number);
+  void offerCheckpoint();
   bool falls() const;
 
-  const Device& device_;
-  StrutGrid& grid_;
-  DeviceGrid& deviceGrid_;
+  MultigridSolver& solver_;
   const Eigen::Matrix3Xd& targets_;
   InverseOptions options_;
+  SolveOptions onTheWay_;  ///< Of equilibria that are only steps.
+  SolveOptions toTheEnd_;
   LateralRest lateral_;
   Eigen::VectorXd designed_;
   Eigen::VectorXd printed_;
   Eigen::VectorXd low_;
   Eigen::VectorXd high_;
   BoundedLbfgs lbfgs_;
-  AdjointSolver adjoint_;
+  CheckpointPace<InverseCheckpoint> pace_;
   State state_;
+  bool isPlaced_ = false;  ///< The solver stands at state_.
   State kept_;
   std::size_t keptSteps_ = 0;
+  bool compensated_ = false;
   InverseDesign result_;
   std::vector<double> objectives_;  ///< After each step of optimise().
   long cycles_ = 0;

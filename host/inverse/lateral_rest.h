@@ -1,22 +1,22 @@
 #pragma once
 #include <Eigen/Core>
-#include <vector>
 
 #include "grid/strut_grid.h"
 
 namespace morphgrid {
 
 /// The rest lengths that inverse design may choose, one a lateral strut, as a vector in the order
-/// of struts(). Vertical struts stay as they are.
+/// of forEachLateralStrut(). Vertical struts stay as they are.
 class LateralRest {
  public:
-  explicit LateralRest(const GridShape& shape);
+  explicit LateralRest(const GridShape& shape) : shape_(shape) {}
 
-  const std::vector<Strut>& struts() const { return struts_; }
-  Eigen::Index size() const { return static_cast<Eigen::Index>(struts_.size()); }
+  Eigen::Index size() const { return shape_.lateralStrutCount(); }
 
   Eigen::VectorXd of(const StrutGrid& grid) const;
   void set(StrutGrid& grid, const Eigen::VectorXd& lengths) const;
+  /// grid.rest with these instead.
+  StrutValues replacedIn(const StrutGrid& grid, const Eigen::VectorXd& lengths) const;
 
   /// Distances of the struts' ends. positions: 3 x vertexCount.
   Eigen::VectorXd lengthsAt(const Eigen::Matrix3Xd& positions) const;
@@ -27,7 +27,10 @@ class LateralRest {
                            const Eigen::Matrix3Xd& lambda) const;
 
  private:
-  std::vector<Strut> struts_;
+  template <typename ValueOf>
+  Eigen::VectorXd collect(const ValueOf& valueOf) const;
+
+  GridShape shape_;
 };
 
 }  // namespace morphgrid

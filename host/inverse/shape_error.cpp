@@ -19,11 +19,8 @@ ShapeError computeShapeError(const GridShape& shape, const Matrix3Xd& positions,
                    100 / diagonal * std::sqrt(offsets.colwise().squaredNorm().maxCoeff()),
                    Matrix3Xd::Zero(3, positions.cols())};
   // The middle layer is one layer, or the mean of two.
-  const int count = shape.layerVertexCount();
-  const int below = (shape.layers - 1) / 2;
-  const int above = shape.layers / 2;
-  error.gradient.middleCols(below * count, count) += 0.5 * offsets;
-  error.gradient.middleCols(above * count, count) += 0.5 * offsets;
+  layerOf(shape, error.gradient, (shape.layers - 1) / 2) += 0.5 * offsets;
+  layerOf(shape, error.gradient, shape.layers / 2) += 0.5 * offsets;
   return error;
 }
 

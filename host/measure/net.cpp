@@ -21,7 +21,8 @@ constexpr int kBlendSteps = 32;
 constexpr int kBisections = 20;
 
 Net blended(const Net& net, const Net& isolines, double share) {
-  return {net.nodesU, net.nodesV, (1 - share) * net.parameters + share * isolines.parameters};
+  return {net.nodesU, net.nodesV, (1 - share) * net.parameters + share * isolines.parameters,
+          net.kind};
 }
 
 double area(const Vector2d& a, const Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
@@ -60,34 +61,30 @@ double angleDeviation(const Vector3d& a, const Vector3d& b) {
 }  // namespace
 
 Net isolineNet(int nodesU, int nodesV) {
-  Net net{nodesU, nodesV, Eigen::Matrix2Xd(2, (nodesU + 1) * (nodesV + 1))};
-  for (int j = 0; j <= nodesV; ++j) {
-    for (int i = 0; i <= nodesU; ++i) {
-      net.parameters.col(net.index(i, j)) << double(i) / nodesU, double(j) / nodesV;
-    }
-  }
+  Net net{nodesU, nodesV, Eigen::Matrix2Xd(2, (nodesU + 1) * (nodesV + 1)), NetKind::isoline};
+  forEachVertex(net.shape(), [&](const GridPlace& place) {
+    net.parameters.col(net.shape().index(place)) << double(place.i) / nodesU,
+        double(place.j) / nodesV;
+  });
   return net;
 }
 
 void requireUnfolded(const Net& net) {
-  for (int j = 0; j < net.nodesV; ++j) {
-    for (int i = 0; i < net.nodesU; ++i) {
-      const auto at = [&](int di, int dj) -> Vector2d {
-        return net.parameters.col(net.index(i + di, j + dj));
-      };
-      const Vector2d corners[] = {at(0, 0), at(1, 0), at(1, 1), at(0, 1)};
-      for (int corner = 0; corner < 4; ++corner) {
-        const Vector2d& here = corners[corner];
-        if (!(area(corners[(corner + 1) % 4] - here, corners[(corner + 3) % 4] - here) > 0)) {
-          throw InputError(fmt::format(
-              "the net of lines is folded in node ({}, {}), at u = {:.4g}, v = {:.4g} of [0, 1]: "
-              "the surface is too rough or its sides too skew there; take design.net = "
-              "\"isoline\", or a smoother surface",
-              i, j, here.x(), here.y()));
-        }
+  forEachCell(net.shape(), [&](const Cell& cell) {
+    const std::array<int, 4> ring = cell.ring();
+    for (int corner = 0; corner < 4; ++corner) {
+      const Vector2d here = net.parameters.col(ring[corner]);
+      const Vector2d next = net.parameters.col(ring[(corner + 1) % 4]);
+      const Vector2d previous = net.parameters.col(ring[(corner + 3) % 4]);
+      if (!(area(next - here, previous - here) > 0)) {
+        throw InputError(fmt::format(
+            "the net of lines is folded in node ({}, {}), at u = {:.4g}, v = {:.4g} of [0, 1]: "
+            "the surface is too rough or its sides too skew there; take design.net = "
+            "\"isoline\", or a smoother surface",
+            cell.place.i, cell.place.j, here.x(), here.y()));
       }
     }
-  }
+  });
 }
 
 NetQuality assessNet(const PointLattice& points) {

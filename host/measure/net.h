@@ -2,6 +2,7 @@
 #include <Eigen/Core>
 #include <functional>
 
+#include "grid/grid_topology.h"
 #include "surface/point_lattice.h"
 
 namespace morphgrid {
@@ -23,8 +24,10 @@ struct Net {
   /// (u, v) of each vertex, of a patch or of a mesh's box, in [0, 1]^2; 2 x (nodesU+1)(nodesV+1),
   /// index j (nodesU+1) + i.
   Eigen::Matrix2Xd parameters;
+  NetKind kind = NetKind::orthogonal;  ///< isoline: the parameters are those of isolineNet().
 
-  int index(int i, int j) const { return j * (nodesU + 1) + i; }
+  GridShape shape() const { return {nodesU + 1, nodesV + 1, 1}; }
+  int index(int i, int j) const { return shape().index(i, j, 0); }
 };
 
 /// Vertex (i, j) at (i / nodesU, j / nodesV). nodesU, nodesV >= 1.

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/error.h"
+#include "grid/strut_grid.h"
 
 namespace morphgrid {
 namespace {
@@ -106,30 +107,23 @@ SurfaceMeasurement measureSurface(const Surface& surface, int nodesU, int nodesV
                                  LateralField<double>(nodesU, nodesV),
                                  Eigen::Matrix3Xd(3, (nodesU + 1) * (nodesV + 1))};
   Eigen::Matrix3Xd& points = measurement.points;
-  const auto index = [&](int i, int j) { return j * (nodesU + 1) + i; };
+  const GridShape layer = measurement.chords.shape();
   const auto parameterU = [&](int i) { return double(i) / nodesU; };
   const auto parameterV = [&](int j) { return double(j) / nodesV; };
-  for (int j = 0; j <= nodesV; ++j) {
-    for (int i = 0; i <= nodesU; ++i) {
-      points.col(index(i, j)) = surface.point(parameterU(i), parameterV(j));
-    }
-  }
-  for (int j = 0; j <= nodesV; ++j) {
+  forEachVertex(layer, [&](const GridPlace& place) {
+    points.col(layer.index(place)) = surface.point(parameterU(place.i), parameterV(place.j));
+  });
+  forEachLateralStrut(layer, [&](const Strut& strut) {
     cancellation.check();
-    for (int i = 0; i < nodesU; ++i) {
-      measurement.chords.u(i, j) = (points.col(index(i + 1, j)) - points.col(index(i, j))).norm();
-      measurement.curvatures.u(i, j) = meanCurvature(
-          surface, Direction::u, parameterU(i), parameterU(i + 1), parameterV(j), curvatureLimit);
-    }
-  }
-  for (int j = 0; j < nodesV; ++j) {
-    cancellation.check();
-    for (int i = 0; i <= nodesU; ++i) {
-      measurement.chords.v(i, j) = (points.col(index(i, j + 1)) - points.col(index(i, j))).norm();
-      measurement.curvatures.v(i, j) = meanCurvature(
-          surface, Direction::v, parameterV(j), parameterV(j + 1), parameterU(i), curvatureLimit);
-    }
-  }
+    const auto [i, j, bottom] = layer.place(strut.from);
+    measurement.chords.at(strut) = lengthAt(points, strut);
+    measurement.curvatures.at(strut) =
+        strut.direction == Strut::Direction::u
+            ? meanCurvature(surface, Direction::u, parameterU(i), parameterU(i + 1), parameterV(j),
+                            curvatureLimit)
+            : meanCurvature(surface, Direction::v, parameterV(j), parameterV(j + 1), parameterU(i),
+                            curvatureLimit);
+  });
   return measurement;
 }
 

@@ -65,15 +65,14 @@ Eigen::Matrix4Xf localBalls(const LocalFrame& frame, const SamplingLayout& layou
 /// columns: of 3 or 4 numbers of four bytes; `what` names them where they are too many.
 template <typename Columns>
 Buffer uploadColumns(const Device& device, const Columns& columns, const char* what) {
-  const vk::DeviceSize bytes = columns.size() * sizeof(columns(0, 0));
-  const vk::DeviceSize limit = device.limits().maxStorageBufferRange;
+  const std::uint64_t bytes = columns.size() * sizeof(columns(0, 0));
+  const std::uint64_t limit = device.limits().maxStorageBufferRange;
   if (bytes > limit) {
     throw DeviceError(fmt::format(
         "device {} draws at most {} {} of a mesh, got {}; use a coarser one, or pictures = false",
         device.name(), limit / (columns.rows() * sizeof(columns(0, 0))), what, columns.cols()));
   }
-  Buffer buffer(device, bytes,
-                vk::BufferUsageFlagBits::eStorageBuffer | vk::BufferUsageFlagBits::eTransferDst,
+  Buffer buffer(device, bytes, BufferUsage::storageBuffer | BufferUsage::transferDst,
                 MemoryKind::device);
   uploadBytes(device, buffer, columns.data(), bytes);
   return buffer;
@@ -117,8 +116,7 @@ Eigen::Index splineVertices(const SamplingPush& push, int isolines, int rays) {
 }  // namespace
 
 SamplingDrawing::SamplingDrawing(const Device& device, const TriangleMesh& mesh,
-                                 const RayHits& hits, vk::RenderPass renderPass,
-                                 vk::SampleCountFlagBits samples)
+                                 const RayHits& hits, const DrawPass& pass)
     : layout_(layOutSampling(mesh, hits)),
       meshVertices_(mesh.triangles.size()),
       raysU_(hits.countU),
@@ -128,26 +126,22 @@ SamplingDrawing::SamplingDrawing(const Device& device, const TriangleMesh& mesh,
       rays_(uploadColumns(device, localHits(LocalFrame(layout_), hits), "rays")),
       balls_(uploadColumns(device, localBalls(LocalFrame(layout_), layout_, hits), "rays")),
       mesh_(device, {mesh_vert_spirv, mesh_frag_spirv},
-            {{kBindingMeshVertices, &vertices_}, {kBindingMeshTriangles, &triangles_}}, renderPass,
-            samples),
-      splines_(device, {spline_vert_spirv, round_frag_spirv}, {{kBindingRayHits, &rays_}},
-               renderPass, samples),
-      ballLayer_(device, {ball_vert_spirv, round_frag_spirv}, {{kBindingBalls, &balls_}},
-                 renderPass, samples) {}
+            {{kBindingMeshVertices, &vertices_}, {kBindingMeshTriangles, &triangles_}}, pass),
+      splines_(device, {spline_vert_spirv, round_frag_spirv}, {{kBindingRayHits, &rays_}}, pass),
+      ballLayer_(device, {ball_vert_spirv, round_frag_spirv}, {{kBindingBalls, &balls_}}, pass) {}
 
 SamplingDrawing::Layer::Layer(const Device& device, const ShaderPair& shaders,
-                              const std::vector<KernelResource>& buffers, vk::RenderPass renderPass,
-                              vk::SampleCountFlagBits samples)
-    : pipeline(device, shaders, slotsOf(buffers), sizeof(SamplingPush), renderPass, samples),
-      resources(device, pipeline.setLayout(), buffers) {}
+                              const std::vector<KernelResource>& buffers, const DrawPass& pass)
+    : pipeline(device, shaders, slotsOf(buffers), sizeof(SamplingPush), pass),
+      resources(device, pipeline.resourceLayout(), buffers) {}
 
-void SamplingDrawing::Layer::draw(const vk::raii::CommandBuffer& commands, const SamplingPush& push,
+void SamplingDrawing::Layer::draw(const CommandBuffer& commands, const SamplingPush& push,
                                   Eigen::Index vertexCount) const {
   pipeline.bind(commands, resources);
   pipeline.draw(commands, push, static_cast<uint>(vertexCount));
 }
 
-void SamplingDrawing::draw(const vk::raii::CommandBuffer& commands, const Camera& camera,
+void SamplingDrawing::draw(const CommandBuffer& commands, const Camera& camera,
                            int imageHeight) const {
   const LocalView view = localView(LocalFrame(layout_).worldFromLocal(), camera, imageHeight);
   const SamplingPush push = commonPush(view, layout_);
@@ -164,8 +158,8 @@ Image drawSampling(const Device& device, const TriangleMesh& mesh, const RayHits
                    const Camera& camera, int width, int height, int samples) {
   OffscreenTarget target(device, static_cast<uint>(width), static_cast<uint>(height),
                          static_cast<uint>(samples));
-  const SamplingDrawing drawing(device, mesh, hits, target.renderPass(), target.samples());
-  return {width, height, target.render([&](const vk::raii::CommandBuffer& commands) {
+  const SamplingDrawing drawing(device, mesh, hits, target.pass());
+  return {width, height, target.render([&](const CommandBuffer& commands) {
             drawing.draw(commands, camera, height);
           })};
 }

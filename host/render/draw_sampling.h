@@ -17,18 +17,17 @@ class SamplingDrawing {
  public:
   /// For passes like this one. Throws DeviceError when the mesh exceeds the device's limits.
   SamplingDrawing(const Device& device, const TriangleMesh& mesh, const RayHits& hits,
-                  vk::RenderPass renderPass, vk::SampleCountFlagBits samples);
+                  const DrawPass& pass);
 
   /// Records the draws; inside the pass. imageHeight in pixels.
-  void draw(const vk::raii::CommandBuffer& commands, const Camera& camera, int imageHeight) const;
+  void draw(const CommandBuffer& commands, const Camera& camera, int imageHeight) const;
 
  private:
   /// Things that are drawn by one pair of shaders, from the same buffers.
   struct Layer {
     Layer(const Device& device, const ShaderPair& shaders,
-          const std::vector<KernelResource>& buffers, vk::RenderPass renderPass,
-          vk::SampleCountFlagBits samples);
-    void draw(const vk::raii::CommandBuffer& commands, const SamplingPush& push,
+          const std::vector<KernelResource>& buffers, const DrawPass& pass);
+    void draw(const CommandBuffer& commands, const SamplingPush& push,
               Eigen::Index vertexCount) const;
 
     GraphicsPipeline pipeline;

@@ -20,9 +20,9 @@ Image drawStrutShares(const Device& device, const DeviceGrid& grid, const StrutV
   const StrutShares onDevice(device, shares);
   const GridResources resources(device, grid, &onDevice);
   OffscreenTarget target = createTarget(device, width, height, samples);
-  const GridPainter painter(device, target.renderPass(), target.samples());
+  const GridPainter painter(device, target.pass());
   const LocalView view = viewOf(grid, Eigen::Isometry3d::Identity(), camera, height);
-  return {width, height, target.render([&](const vk::raii::CommandBuffer& commands) {
+  return {width, height, target.render([&](const CommandBuffer& commands) {
             painter.draw(commands, resources, {.directions = {true, true, false}}, view);
           })};
 }
@@ -36,11 +36,11 @@ Image drawSurfaceShares(const Device& device, const PlacedGrid& surface,
   const GridResources surfaceResources(device, surface.grid, &onDevice);
   const GridResources veilResources(device, veil.grid);
   OffscreenTarget target = createTarget(device, width, height, samples);
-  const GridPainter painter(device, target.renderPass(), target.samples());
+  const GridPainter painter(device, target.pass());
   const auto placed = [&](const PlacedGrid& grid) {
     return viewOf(grid.grid, grid.worldFromGrid, camera, height);
   };
-  return {width, height, target.render([&](const vk::raii::CommandBuffer& commands) {
+  return {width, height, target.render([&](const CommandBuffer& commands) {
             painter.draw(commands, surfaceResources, {.isSurface = true}, placed(surface));
             painter.draw(commands, veilResources, {.isSurface = true, .isVeil = true},
                          placed(veil));

@@ -42,7 +42,7 @@ int chooseRefinement(const GridShape& shape, int mostQuads) {
 }  // namespace
 
 TexelView texelsOf(const Device& device, const Buffer& buffer) {
-  return {device, buffer, vk::Format::eR32G32B32A32Sint, sizeof(ivec4)};
+  return {device, buffer, TexelFormat::int4};
 }
 
 TexelView positionTexels(const Device& device, const DeviceGrid& grid) {
@@ -51,6 +51,10 @@ TexelView positionTexels(const Device& device, const DeviceGrid& grid) {
 
 TexelView restTexels(const Device& device, const DeviceGrid& grid) {
   return texelsOf(device, grid.rest());
+}
+
+TexelView stiffnessTexels(const Device& device, const DeviceGrid& grid) {
+  return {device, grid.stiffness(), TexelFormat::float4};
 }
 
 LocalView viewOf(const DeviceGrid& grid, const Eigen::Isometry3d& worldFromGrid,

@@ -16,6 +16,7 @@ namespace morphgrid {
 TexelView texelsOf(const Device& device, const Buffer& buffer);
 TexelView positionTexels(const Device& device, const DeviceGrid& grid);
 TexelView restTexels(const Device& device, const DeviceGrid& grid);
+TexelView stiffnessTexels(const Device& device, const DeviceGrid& grid);
 
 /// worldFromGrid moves the grid from where it lies, in the scene's unit of length, to where the
 /// camera looks.

@@ -4,20 +4,12 @@
 
 #include "gpu/command_stream.h"
 #include "render/ribbon_frag.h"
-#include "render/ribbon_share_frag.h"
-#include "render/ribbon_share_vert.h"
 #include "render/ribbon_vert.h"
 #include "render/strut_line_frag.h"
-#include "render/strut_line_share_vert.h"
 #include "render/strut_line_vert.h"
 #include "render/surface_frag.h"
-#include "render/surface_share_frag.h"
-#include "render/surface_share_vert.h"
-#include "render/surface_veil_frag.h"
 #include "render/surface_vert.h"
 #include "render/tube_frag.h"
-#include "render/tube_share_frag.h"
-#include "render/tube_share_vert.h"
 #include "render/tube_vert.h"
 #include "shared/solver_types.h"
 
@@ -26,21 +18,25 @@ namespace {
 
 /// One layout for all pipelines, so that a grid's resources suit each of them.
 std::vector<ResourceSlot> paintedSlots() {
-  constexpr auto kTexels = vk::DescriptorType::eUniformTexelBuffer;
+  constexpr auto kTexels = ResourceType::uniformTexelBuffer;
   return {{kBindingPositions, kTexels}, {kBindingRest, kTexels}, {kBindingShares, kTexels}};
 }
 
-GraphicsPipeline strutPainter(const Device& device, const ShaderPair& shaders,
-                              vk::RenderPass renderPass, vk::SampleCountFlagBits samples,
+GraphicsPipeline strutPainter(const Device& device, const ShaderPair& shaders, const DrawPass& pass,
                               Primitive primitive) {
-  return {device,     shaders, paintedSlots(),   sizeof(StrutPush),
-          renderPass, samples, Blending::opaque, primitive};
+  return {device, shaders, paintedSlots(), sizeof(StrutPush), pass, Blending::opaque, primitive};
 }
 
 GraphicsPipeline surfacePainter(const Device& device, const ShaderPair& shaders,
-                                vk::RenderPass renderPass, vk::SampleCountFlagBits samples,
-                                Blending blending = Blending::opaque) {
-  return {device, shaders, paintedSlots(), sizeof(SurfacePush), renderPass, samples, blending};
+                                const DrawPass& pass, Blending blending = Blending::opaque) {
+  return {device, shaders, paintedSlots(), sizeof(SurfacePush), pass, blending};
+}
+
+/// With the specialisation constant set to true.
+ShaderPair with(std::uint32_t constant, ShaderPair shaders) {
+  shaders.constants.resize(constant + 1, 0);
+  shaders.constants[constant] = 1;
+  return shaders;
 }
 
 uint verticesPerStrut(StrutStyle style) {
@@ -72,9 +68,8 @@ std::vector<glm::vec4> shareTexels(const StrutValues& struts, const Eigen::Vecto
 StrutShares::StrutShares(const Device& device, const StrutValues& struts,
                          const Eigen::VectorXd& columns)
     : buffer_(device, struts.u.size() * sizeof(glm::vec4),
-              vk::BufferUsageFlagBits::eUniformTexelBuffer | vk::BufferUsageFlagBits::eTransferDst,
-              MemoryKind::device),
-      texels_(device, buffer_, vk::Format::eR32G32B32A32Sfloat, sizeof(glm::vec4)) {
+              BufferUsage::uniformTexelBuffer | BufferUsage::transferDst, MemoryKind::device),
+      texels_(device, buffer_, TexelFormat::float4) {
   upload(device, buffer_, shareTexels(struts, columns));
 }
 
@@ -85,39 +80,39 @@ GridResources::GridResources(const Device& device, const DeviceGrid& grid,
       positions_(positionTexels(device, grid)),
       previousPositions_(texelsOf(device, grid.previousPositions())),
       rest_(restTexels(device, grid)),
-      shares_(shares ? &shares->texels() : &rest_),  // Unread, but a set has no gaps.
-      layout_(createSetLayout(device, paintedSlots(), vk::ShaderStageFlagBits::eVertex)),
+      noShares_(stiffnessTexels(device, grid)),
+      shares_(shares ? &shares->texels() : &noShares_),
+      layout_(device, paintedSlots(), ShaderStage::vertex),
       newestFirst_(setFor(device, positions_)),
       newestSecond_(setFor(device, previousPositions_)) {}
 
 ResourceSet GridResources::setFor(const Device& device, const TexelView& positions) const {
   return {device,
-          *layout_,
+          layout_,
           {{kBindingPositions, &positions}, {kBindingRest, &rest_}, {kBindingShares, shares_}}};
 }
 
-GridPainter::GridPainter(const Device& device, vk::RenderPass renderPass,
-                         vk::SampleCountFlagBits samples)
-    : struts_{{{strutPainter(device, {strut_line_vert_spirv, strut_line_frag_spirv}, renderPass,
-                             samples, Primitive::lines),
-                strutPainter(device, {strut_line_share_vert_spirv, strut_line_frag_spirv},
-                             renderPass, samples, Primitive::lines)},
-               {strutPainter(device, {ribbon_vert_spirv, ribbon_frag_spirv}, renderPass, samples,
-                             Primitive::triangles),
-                strutPainter(device, {ribbon_share_vert_spirv, ribbon_share_frag_spirv}, renderPass,
-                             samples, Primitive::triangles)},
-               {strutPainter(device, {tube_vert_spirv, tube_frag_spirv}, renderPass, samples,
-                             Primitive::frontTriangles),
-                strutPainter(device, {tube_share_vert_spirv, tube_share_frag_spirv}, renderPass,
-                             samples, Primitive::frontTriangles)}}},
-      surface_{
-          surfacePainter(device, {surface_vert_spirv, surface_frag_spirv}, renderPass, samples),
-          surfacePainter(device, {surface_share_vert_spirv, surface_share_frag_spirv}, renderPass,
-                         samples)},
-      veil_(surfacePainter(device, {surface_vert_spirv, surface_veil_frag_spirv}, renderPass,
-                           samples, Blending::translucent)) {}
+GridPainter::Painter GridPainter::strutPainters(const Device& device, const DrawPass& pass,
+                                                const ShaderPair& shaders, Primitive primitive) {
+  return {strutPainter(device, shaders, pass, primitive),
+          strutPainter(device, with(kConstantShowsShares, shaders), pass, primitive)};
+}
 
-void GridPainter::draw(const vk::raii::CommandBuffer& commands, const GridResources& resources,
+GridPainter::GridPainter(const Device& device, const DrawPass& pass)
+    : struts_{strutPainters(device, pass, {strut_line_vert_spirv, strut_line_frag_spirv},
+                            Primitive::lines),
+              strutPainters(device, pass, {ribbon_vert_spirv, ribbon_frag_spirv},
+                            Primitive::triangles),
+              strutPainters(device, pass, {tube_vert_spirv, tube_frag_spirv},
+                            Primitive::frontTriangles)},
+      surface_{
+          surfacePainter(device, {surface_vert_spirv, surface_frag_spirv}, pass),
+          surfacePainter(
+              device, with(kConstantShowsShares, {surface_vert_spirv, surface_frag_spirv}), pass)},
+      veil_(surfacePainter(device, with(kConstantIsVeil, {surface_vert_spirv, surface_frag_spirv}),
+                           pass, Blending::translucent)) {}
+
+void GridPainter::draw(const CommandBuffer& commands, const GridResources& resources,
                        const GridLook& look, const LocalView& view) const {
   const ResourceSet& set =
       resources.grid_.newestIsFirst() ? resources.newestFirst_ : resources.newestSecond_;
@@ -128,9 +123,9 @@ void GridPainter::draw(const vk::raii::CommandBuffer& commands, const GridResour
   }
 }
 
-void GridPainter::drawSurface(const vk::raii::CommandBuffer& commands,
-                              const GridResources& resources, const ResourceSet& set,
-                              const GridLook& look, const LocalView& view) const {
+void GridPainter::drawSurface(const CommandBuffer& commands, const GridResources& resources,
+                              const ResourceSet& set, const GridLook& look,
+                              const LocalView& view) const {
   const GraphicsPipeline& opaque = resources.hasShares_ ? surface_.shares : surface_.plain;
   const GraphicsPipeline& pipeline = look.isVeil ? veil_ : opaque;
   const SurfacePush push = surfacePush(resources.grid_, view, look.mostQuads);
@@ -138,9 +133,9 @@ void GridPainter::drawSurface(const vk::raii::CommandBuffer& commands,
   pipeline.draw(commands, push, surfaceVertexCount(push));
 }
 
-void GridPainter::drawStruts(const vk::raii::CommandBuffer& commands,
-                             const GridResources& resources, const ResourceSet& set,
-                             const GridLook& look, const LocalView& view) const {
+void GridPainter::drawStruts(const CommandBuffer& commands, const GridResources& resources,
+                             const ResourceSet& set, const GridLook& look,
+                             const LocalView& view) const {
   const Painter& painter = struts_[static_cast<std::size_t>(look.style)];
   const GraphicsPipeline& pipeline = resources.hasShares_ ? painter.shares : painter.plain;
   StrutPush push = strutPush(resources.grid_, view);

@@ -57,8 +57,9 @@ class GridResources {
   TexelView positions_;
   TexelView previousPositions_;
   TexelView rest_;
+  TexelView noShares_;  ///< Unread, but a set has no gaps.
   const TexelView* shares_;
-  vk::raii::DescriptorSetLayout layout_;
+  ResourceLayout layout_;
   ResourceSet newestFirst_;
   ResourceSet newestSecond_;
 };
@@ -67,11 +68,11 @@ class GridResources {
 class GridPainter {
  public:
   /// Throws DeviceError when the device refuses.
-  GridPainter(const Device& device, vk::RenderPass renderPass, vk::SampleCountFlagBits samples);
+  GridPainter(const Device& device, const DrawPass& pass);
 
   /// To be called inside the pass. view: of viewOf() for this grid.
-  void draw(const vk::raii::CommandBuffer& commands, const GridResources& resources,
-            const GridLook& look, const LocalView& view) const;
+  void draw(const CommandBuffer& commands, const GridResources& resources, const GridLook& look,
+            const LocalView& view) const;
 
  private:
   /// A look, in the colours of strains or sides, and in those of shares.
@@ -80,9 +81,11 @@ class GridPainter {
     GraphicsPipeline shares;
   };
 
-  void drawStruts(const vk::raii::CommandBuffer& commands, const GridResources& resources,
+  static Painter strutPainters(const Device& device, const DrawPass& pass,
+                               const ShaderPair& shaders, Primitive primitive);
+  void drawStruts(const CommandBuffer& commands, const GridResources& resources,
                   const ResourceSet& set, const GridLook& look, const LocalView& view) const;
-  void drawSurface(const vk::raii::CommandBuffer& commands, const GridResources& resources,
+  void drawSurface(const CommandBuffer& commands, const GridResources& resources,
                    const ResourceSet& set, const GridLook& look, const LocalView& view) const;
 
   std::array<Painter, 3> struts_;  ///< By StrutStyle.

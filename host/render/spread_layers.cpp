@@ -25,8 +25,7 @@ int chooseColumns(int layers, const Eigen::Vector2d& cell, double aspect) {
 
 StrutGrid spreadLayers(const StrutGrid& stacked, double aspect) {
   const int layers = stacked.shape.layers;
-  const int count = stacked.shape.layerVertexCount();
-  const auto layer = stacked.positions.leftCols(count).topRows<2>();
+  const auto layer = layerOf(stacked.shape, stacked.positions, 0).topRows<2>();
   const Eigen::Vector2d extent = layer.rowwise().maxCoeff() - layer.rowwise().minCoeff();
   const Eigen::Vector2d cell = extent.array() + kGap * extent.maxCoeff();
   const int columns = chooseColumns(layers, cell, aspect);
@@ -34,8 +33,8 @@ StrutGrid spreadLayers(const StrutGrid& stacked, double aspect) {
   for (int k = 0; k < layers; ++k) {
     const int row = k / columns;
     const Eigen::Vector3d moved((k % columns) * cell.x(), -row * cell.y(), 0);
-    spread.positions.middleCols(k * count, count) =
-        stacked.positions.leftCols(count).colwise() + moved;
+    layerOf(stacked.shape, spread.positions, k) =
+        layerOf(stacked.shape, stacked.positions, 0).colwise() + moved;
   }
   return spread;
 }

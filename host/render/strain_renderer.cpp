@@ -6,14 +6,14 @@ StrainRenderer::StrainRenderer(const Device& device, int width, int height, int 
     : device_(device),
       target_(device, static_cast<std::uint32_t>(width), static_cast<std::uint32_t>(height),
               static_cast<std::uint32_t>(samples)),
-      painter_(device, target_.renderPass(), target_.samples()) {}
+      painter_(device, target_.pass()) {}
 
 Image StrainRenderer::draw(const DeviceGrid& grid, const GridLook& look,
                            const Eigen::Isometry3d& worldFromGrid, const Camera& camera) {
   const GridResources resources(device_, grid);
   const LocalView view = viewOf(grid, worldFromGrid, camera, height());
-  return {static_cast<int>(target_.width()), height(),
-          target_.render([&](const vk::raii::CommandBuffer& commands) {
+  return {static_cast<int>(target_.size().width), height(),
+          target_.render([&](const CommandBuffer& commands) {
             painter_.draw(commands, resources, look, view);
           })};
 }

@@ -26,7 +26,7 @@ class StrainRenderer {
                     const Camera& camera);
 
  private:
-  int height() const { return static_cast<int>(target_.height()); }
+  int height() const { return static_cast<int>(target_.size().height); }
   Image draw(const DeviceGrid& grid, const GridLook& look, const Eigen::Isometry3d& worldFromGrid,
              const Camera& camera);
 

@@ -3,6 +3,7 @@
 
 namespace morphgrid {
 
-constexpr double degrees(double radians) { return radians * 180 / std::numbers::pi; }
+constexpr double degrees(double angle) { return angle * 180 / std::numbers::pi; }
+constexpr double radians(double angle) { return angle * std::numbers::pi / 180; }
 
 }  // namespace morphgrid

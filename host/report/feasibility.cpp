@@ -15,32 +15,25 @@ namespace {
 using Eigen::Matrix3Xd;
 using Eigen::Vector3d;
 
-LatticePlace placeOf(const GridShape& shape, int vertex) {
-  return {vertex % shape.verticesU, vertex / shape.verticesU % shape.verticesV,
-          vertex / shape.layerVertexCount()};
-}
-
 /// From the bottom to the top layer, at a cell's four columns.
-Vector3d upwards(const GridShape& shape, const Matrix3Xd& x, int i, int j) {
+Vector3d upwards(const GridShape& shape, const Matrix3Xd& x, const Cell& cell) {
   if (shape.layers == 1) {
     return Vector3d::UnitZ();
   }
   Vector3d sum = Vector3d::Zero();
-  for (const int column : {shape.index(i, j, 0), shape.index(i + 1, j, 0), shape.index(i, j + 1, 0),
-                           shape.index(i + 1, j + 1, 0)}) {
-    sum += x.col(column + (shape.layers - 1) * shape.layerVertexCount()) - x.col(column);
+  for (const int vertex : cell.vertices) {
+    const int column = shape.column(vertex);
+    sum += x.col(shape.index(column, shape.layers - 1)) - x.col(column);
   }
   return sum.stableNormalized();
 }
 
 /// Of a cell that has no sides: 0.
-double relativeArea(const GridShape& shape, const Matrix3Xd& x, const LatticePlace& cell) {
-  const auto corner = [&](int di, int dj) {
-    return x.col(shape.index(cell.i + di, cell.j + dj, cell.layer));
-  };
+double relativeArea(const GridShape& shape, const Matrix3Xd& x, const Cell& cell) {
+  const auto corner = [&](int di, int dj) { return x.col(cell.vertex(di, dj)); };
   const Vector3d rising = corner(1, 1) - corner(0, 0);
   const Vector3d falling = corner(0, 1) - corner(1, 0);
-  const double area = 0.5 * rising.cross(falling).dot(upwards(shape, x, cell.i, cell.j));
+  const double area = 0.5 * rising.cross(falling).dot(upwards(shape, x, cell));
   const double sideU =
       ((corner(1, 0) - corner(0, 0)).norm() + (corner(1, 1) - corner(0, 1)).norm()) / 2;
   const double sideV =
@@ -48,7 +41,7 @@ double relativeArea(const GridShape& shape, const Matrix3Xd& x, const LatticePla
   return sideU * sideV > 0 ? area / (sideU * sideV) : 0;
 }
 
-void add(CellFigures& figures, double area, const LatticePlace& cell) {
+void add(CellFigures& figures, double area, const GridPlace& cell) {
   figures.inverted += area < -kCollapsedArea ? 1 : 0;
   figures.collapsed += std::abs(area) <= kCollapsedArea ? 1 : 0;
   if (area < figures.smallestRelativeArea) {
@@ -57,15 +50,15 @@ void add(CellFigures& figures, double area, const LatticePlace& cell) {
   }
 }
 
-Matrix2Xi segmentsOf(const std::vector<Strut>& struts) {
-  Matrix2Xi segments(2, static_cast<Eigen::Index>(struts.size()));
-  for (Eigen::Index n = 0; n < segments.cols(); ++n) {
-    segments.col(n) << struts[n].from, struts[n].to;
-  }
+/// The ends of every strut.
+Matrix2Xi segmentsOf(const GridShape& shape) {
+  Matrix2Xi segments(2, shape.strutCount());
+  Eigen::Index n = 0;
+  forEachStrut(shape, [&](const Strut& strut) { segments.col(n++) << strut.from, strut.to; });
   return segments;
 }
 
-std::string describe(const LatticePlace& place) {
+std::string describe(const GridPlace& place) {
   return fmt::format("({}, {}) of layer {}", place.i, place.j, place.layer);
 }
 
@@ -79,20 +72,14 @@ std::string count(int number, const char* what, const char* singular, const char
 
 CellFigures examineCells(const GridShape& shape, const Matrix3Xd& positions) {
   CellFigures figures;
-  for (int k = 0; k < shape.layers; ++k) {
-    for (int j = 0; j + 1 < shape.verticesV; ++j) {
-      for (int i = 0; i + 1 < shape.verticesU; ++i) {
-        const LatticePlace cell{i, j, k};
-        add(figures, relativeArea(shape, positions, cell), cell);
-      }
-    }
-  }
+  forEachCell(shape, [&](const Cell& cell) {
+    add(figures, relativeArea(shape, positions, cell), cell.place);
+  });
   return figures;
 }
 
 SelfIntersection findSelfIntersection(const GridShape& shape, const Matrix3Xd& positions) {
-  const SurfaceMesh mesh =
-      tessellate(shape.verticesU, shape.verticesV, middleLayer(shape, positions), 1);
+  const SurfaceMesh mesh = tessellate(shape, middleLayer(shape, positions), 1);
   std::vector<int> cells = findSelfIntersections(mesh.vertices, mesh.triangles);
   for (int& triangle : cells) {
     triangle /= 2;
@@ -101,18 +88,17 @@ SelfIntersection findSelfIntersection(const GridShape& shape, const Matrix3Xd& p
   if (cells.empty()) {
     return {};
   }
-  const int cellsU = shape.verticesU - 1;
-  return {static_cast<int>(cells.size()),
-          {cells.front() % cellsU, cells.front() / cellsU, (shape.layers - 1) / 2}};
+  const GridPlace first = shape.place(mesh.triangles(0, 2 * cells.front()));
+  return {static_cast<int>(cells.size()), {first.i, first.j, (shape.layers - 1) / 2}};
 }
 
 CloseStruts findCloseStruts(const GridShape& shape, const Matrix3Xd& positions, double thickness) {
-  const std::vector<Strut> struts = listStruts(shape);
-  const Eigen::VectorXd clearances = segmentClearances(positions, segmentsOf(struts), thickness);
+  const Matrix2Xi segments = segmentsOf(shape);
+  const Eigen::VectorXd clearances = segmentClearances(positions, segments, thickness);
   Eigen::Index closest = 0;
   const double smallest = clearances.minCoeff(&closest);
   return {thickness, static_cast<int>((clearances.array() < thickness).count()),
-          std::min(smallest, thickness), placeOf(shape, struts[closest].from)};
+          std::min(smallest, thickness), shape.place(segments(0, closest))};
 }
 
 Feasibility examineFeasibility(const GridShape& shape, const Matrix3Xd& positions,

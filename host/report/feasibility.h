@@ -8,13 +8,6 @@
 
 namespace morphgrid {
 
-/// A cell, or the vertex that a strut leaves.
-struct LatticePlace {
-  int i;
-  int j;
-  int layer;
-};
-
 /// A cell's relative area is its signed area, positive where it lies as printed, over that of a
 /// rectangle with its mean sides: the sine of its angle where it is a parallelogram. A cell is
 /// collapsed within kCollapsedArea of 0, inverted below. Its normal is the direction from the
@@ -25,7 +18,7 @@ struct CellFigures {
   int inverted = 0;   ///< Of all layers.
   int collapsed = 0;  ///< Of all layers.
   double smallestRelativeArea = 1;
-  LatticePlace smallest{};  ///< The cell of that area.
+  GridPlace smallest{};  ///< The cell of that area.
 };
 
 /// positions: 3 x vertexCount, finite.
@@ -34,7 +27,7 @@ CellFigures examineCells(const GridShape& shape, const Eigen::Matrix3Xd& positio
 /// Cells of the middle layer, two triangles each, that meet one with which they share no vertex.
 struct SelfIntersection {
   int cells = 0;
-  LatticePlace first{};  ///< Where there is one.
+  GridPlace first{};  ///< Where there is one.
 };
 
 SelfIntersection findSelfIntersection(const GridShape& shape, const Eigen::Matrix3Xd& positions);
@@ -44,7 +37,7 @@ struct CloseStruts {
   double thickness = 0;  ///< In the scene's unit of length.
   int count = 0;
   double smallestClearance = 0;  ///< Between axes; the thickness where no strut is close.
-  LatticePlace closest{};        ///< Where the closest strut begins, if one is close.
+  GridPlace closest{};           ///< Where the closest strut begins, if one is close.
 };
 
 /// thickness > 0, in the scene's unit of length.

@@ -6,8 +6,6 @@
 
 #include "core/bounding_diagonal.h"
 #include "core/rigid_alignment.h"
-#include "grid/surface_mesh.h"
-#include "solve/energy.h"
 #include "surface/closest_point.h"
 
 namespace morphgrid {
@@ -15,74 +13,44 @@ namespace {
 
 using Eigen::Matrix3Xd;
 
-/// Cells along u and v of the triangles that stand for the surface in closest-point queries: their
-/// sagitta is then far below the distances that are reported.
-constexpr int kTargetCells = 400;
-
 double meanAngleErrorPercent(const GridShape& shape, const Matrix3Xd& x) {
   double sum = 0;
-  const std::vector<Corner> corners = listCorners(shape);
-  for (const Corner& corner : corners) {
+  int count = 0;
+  forEachCorner(shape, [&](const Corner& corner) {
     const Eigen::Vector3d a = x.col(corner.a) - x.col(corner.apex);
     const Eigen::Vector3d b = x.col(corner.b) - x.col(corner.apex);
     const double angle = std::atan2(a.cross(b).norm(), a.dot(b));
     sum += std::abs(angle / (std::numbers::pi / 2) - 1);
-  }
-  return 100 * sum / static_cast<double>(corners.size());
+    ++count;
+  });
+  return 100 * sum / count;
 }
 
 double rootMeanSquare(const Eigen::VectorXd& values) {
   return std::sqrt(values.squaredNorm() / static_cast<double>(values.size()));
 }
 
-/// Relative length errors on the layers that carry L0 and L_b, summed over struts.
-class LateralErrors {
- public:
-  LateralErrors(const StrutGrid& grid, const Matrix3Xd& positions)
-      : grid_(grid), positions_(positions) {}
-
-  void add(int i, int j, int toI, int toJ, const std::vector<double>& rest, double bendAngle) {
-    const int top = grid_.shape.layers - 1;
-    const int convex = bendAngle > 0 ? 0 : top;
-    l0_ += relativeError(i, j, toI, toJ, convex, rest);
-    lb_ += relativeError(i, j, toI, toJ, top - convex, rest);
-    ++count_;
-  }
-  double l0Percent() const { return 100 * l0_ / count_; }
-  double lbPercent() const { return 100 * lb_ / count_; }
-
- private:
-  double relativeError(int i, int j, int toI, int toJ, int layer,
-                       const std::vector<double>& rest) const {
-    const int from = grid_.shape.index(i, j, layer);
-    const int to = grid_.shape.index(toI, toJ, layer);
-    const double length = (positions_.col(to) - positions_.col(from)).norm();
-    return std::abs(length - rest[from]) / rest[from];
-  }
-
-  const StrutGrid& grid_;
-  const Matrix3Xd& positions_;
-  double l0_ = 0;
-  double lb_ = 0;
-  int count_ = 0;
-};
-
 }  // namespace
 
 StrutErrors computeStrutErrors(const GridDesign& design, const StrutGrid& grid,
                                const Matrix3Xd& positions) {
-  LateralErrors errors(grid, positions);
-  for (int j = 0; j <= design.nodesV; ++j) {
-    for (int i = 0; i < design.nodesU; ++i) {
-      errors.add(i, j, i + 1, j, grid.rest.u, design.bendAngles.u(i, j));
+  const int top = grid.shape.layers - 1;
+  double l0 = 0;
+  double lb = 0;
+  int count = 0;
+  forEachLateralStrut(grid.shape, [&](const Strut& strut) {
+    const int convex = design.bendAngles.at(strut) > 0 ? 0 : top;
+    const double rest = valueAt(grid.rest, strut);
+    const double error = std::abs(lengthAt(positions, strut) - rest) / rest;
+    if (strut.layer == convex) {
+      l0 += error;
+      ++count;
     }
-  }
-  for (int j = 0; j < design.nodesV; ++j) {
-    for (int i = 0; i <= design.nodesU; ++i) {
-      errors.add(i, j, i, j + 1, grid.rest.v, design.bendAngles.v(i, j));
+    if (strut.layer == top - convex) {
+      lb += error;
     }
-  }
-  return {errors.l0Percent(), errors.lbPercent(), meanAngleErrorPercent(grid.shape, positions)};
+  });
+  return {100 * l0 / count, 100 * lb / count, meanAngleErrorPercent(grid.shape, positions)};
 }
 
 TargetDistance computeTargetDistance(const Matrix3Xd& middle, const Matrix3Xd& targets,
@@ -96,19 +64,6 @@ TargetDistance computeTargetDistance(const Matrix3Xd& middle, const Matrix3Xd& t
   }
   return {rootMeanSquare(parametric), parametric.maxCoeff(), rootMeanSquare(closest),
           closest.maxCoeff(),         spreadOf(parametric),  spreadOf(closest)};
-}
-
-ClosestPointQuery closestPointsOf(const Surface& surface) {
-  constexpr int kPoints = kTargetCells + 1;
-  Matrix3Xd points(3, kPoints * kPoints);
-  for (int j = 0; j < kPoints; ++j) {
-    for (int i = 0; i < kPoints; ++i) {
-      points.col(j * kPoints + i) =
-          surface.point(double(i) / kTargetCells, double(j) / kTargetCells);
-    }
-  }
-  const SurfaceMesh mesh = tessellate(kPoints, kPoints, points, 1);
-  return {mesh.vertices, mesh.triangles};
 }
 
 }  // namespace morphgrid

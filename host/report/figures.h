@@ -5,7 +5,6 @@
 #include "grid/strut_grid.h"
 #include "report/distance_spread.h"
 #include "surface/closest_point.h"
-#include "surface/surface.h"
 
 namespace morphgrid {
 
@@ -35,8 +34,5 @@ struct TargetDistance {
 TargetDistance computeTargetDistance(const Eigen::Matrix3Xd& middle,
                                      const Eigen::Matrix3Xd& targets,
                                      const ClosestPointQuery& closestPoints);
-
-/// Of a fine triangulation of the surface.
-ClosestPointQuery closestPointsOf(const Surface& surface);
 
 }  // namespace morphgrid

@@ -154,7 +154,7 @@ ordered_json toJson(const ShrinkFigures& s) {
   return json;
 }
 
-ordered_json toJson(const LatticePlace& place) { return {place.i, place.j, place.layer}; }
+ordered_json toJson(const GridPlace& place) { return {place.i, place.j, place.layer}; }
 
 ordered_json toJson(const CloseStruts& c) {
   const bool any = c.count > 0;

@@ -11,7 +11,7 @@
 #include "report/figures.h"
 #include "report/shrink_figures.h"
 #include "solve/equilibrium.h"
-#include "surface/mesh_ray_caster.h"
+#include "target/mesh_figures.h"
 
 namespace morphgrid {
 
@@ -33,19 +33,6 @@ struct MeasurementFigures {
   std::vector<CutoffConsequence> cutoffs;
   std::optional<double> suggestedCutoff;  ///< Where a cutoff keeps the design as asked for.
   std::optional<double> curvatureNoise;   ///< 1 / length; of meshes only.
-};
-
-/// How rays sampled a mesh.
-struct MeshFigures {
-  std::string file;
-  int triangles = 0;
-  int rays = 0;            ///< Of both passes.
-  int missed = 0;          ///< Of those; filled where the run went on.
-  double largestJump = 0;  ///< Steepest step between neighbouring rays: |dx| over their distance.
-  double secondsBuild = 0;
-  double secondsRays = 0;
-  Eigen::AlignedBox3d extent;               ///< Of the transformed mesh.
-  std::optional<SamplingBox> suggestedBox;  ///< One without holes, where there is one.
 };
 
 /// Where the grid's lines run on the target.

@@ -28,12 +28,10 @@ ShrinkFigures computeShrink(const StrutGrid& stacked, double maxShrinkage) {
   const StrutValues shrinks = computeShrinks(stacked);
   ShrinkFigures figures;
   figures.layers.resize(stacked.shape.layers);
-  for (const Strut& strut : listStruts(stacked.shape)) {
-    if (strut.direction != Strut::Direction::w) {
-      add(figures, valueAt(shrinks, strut), maxShrinkage);
-      add(figures.layers[strut.layer], valueAt(shrinks, strut), maxShrinkage);
-    }
-  }
+  forEachLateralStrut(stacked.shape, [&](const Strut& strut) {
+    add(figures, valueAt(shrinks, strut), maxShrinkage);
+    add(figures.layers[strut.layer], valueAt(shrinks, strut), maxShrinkage);
+  });
   return figures;
 }
 

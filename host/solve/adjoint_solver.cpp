@@ -11,19 +11,18 @@ namespace morphgrid {
 
 using Eigen::Matrix3Xd;
 
-AdjointSolver::AdjointSolver(const Device& device, const DeviceGrid& grid)
+AdjointSolver::AdjointSolver(const Device& device, PreconditionedDescent& descent)
     : device_(device),
-      grid_(grid),
-      count_(static_cast<std::uint32_t>(grid.shape().vertexCount())),
-      solution_(device, grid.shape().vertexCount()),
-      remainder_(device, grid.shape().vertexCount()),
-      correction_(device, grid.shape().vertexCount()),
-      direction_(device, grid.shape().vertexCount()),
-      product_(device, grid.shape().vertexCount()),
-      sums_(device, reductionGroups(count_) * sizeof(vec2), vk::BufferUsageFlagBits::eStorageBuffer,
+      descent_(descent),
+      count_(static_cast<std::uint32_t>(descent.shape().vertexCount())),
+      remainder_(descent.rightSide()),
+      correction_(descent.correction()),
+      direction_(descent.direction()),
+      solution_(device, descent.shape().vertexCount()),
+      product_(device, descent.shape().vertexCount()),
+      sums_(device, reductionGroups(count_) * sizeof(vec2), BufferUsage::storageBuffer,
             MemoryKind::host),
-      cycle_(device, grid, remainder_, correction_),
-      multiplication_(cycle_.hessian().exactProduct(direction_, product_)),
+      multiplication_(descent.cycle().hessian().exactProduct(direction_, product_)),
       directionDots_(dots(direction_, product_)),
       remainderDots_(dots(remainder_, correction_)),
       advance_(device, adjoint_advance_comp_spirv,
@@ -47,12 +46,14 @@ ComputeKernel AdjointSolver::dots(const VertexVector& first, const VertexVector&
 }
 
 void AdjointSolver::begin(const Matrix3Xd& rightSide) {
-  cycle_.linearise(grid_.positions());
+  descent_.takeHessian();
   remainder_.upload(device_, rightSide);
-  const Matrix3Xd zeros = Matrix3Xd::Zero(3, rightSide.cols());
-  for (const VertexVector* vector : {&solution_, &direction_, &product_}) {
-    vector->upload(device_, zeros);
+  stream_.begin();
+  for (const Buffer* buffer : {&solution_.buffer(), &direction_.buffer(), &product_.buffer()}) {
+    stream_.clear(*buffer);
   }
+  stream_.end();
+  stream_.submitAndWait();
 }
 
 AdjointSolver::Products AdjointSolver::run() {
@@ -70,7 +71,7 @@ AdjointSolver::Products AdjointSolver::multiply(double share) {
   const std::uint32_t groups = groupsFor(static_cast<int>(count_), kVectorInvocations);
   stream_.begin();
   stream_.dispatch(turn_, AdvancePush{count_, static_cast<float>(share)}, groups);
-  cycle_.hessian().record(stream_, multiplication_);
+  descent_.cycle().hessian().record(stream_, multiplication_);
   stream_.dispatch(directionDots_, DotsPush{count_, reductionGroups(count_) * kVectorInvocations},
                    reductionGroups(count_));
   return run();
@@ -80,7 +81,7 @@ AdjointSolver::Products AdjointSolver::advance(double share) {
   const std::uint32_t groups = groupsFor(static_cast<int>(count_), kVectorInvocations);
   stream_.begin();
   stream_.dispatch(advance_, AdvancePush{count_, static_cast<float>(share)}, groups);
-  cycle_.record(stream_);
+  descent_.cycle().record(stream_);
   stream_.dispatch(remainderDots_, DotsPush{count_, reductionGroups(count_) * kVectorInvocations},
                    reductionGroups(count_));
   return run();

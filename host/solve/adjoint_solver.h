@@ -1,33 +1,20 @@
 #pragma once
-#include <Eigen/Core>
-
-#include "solve/v_cycle.h"
+#include "solve/adjoint.h"
+#include "solve/preconditioned_descent.h"
 
 namespace morphgrid {
-
-struct AdjointOptions {
-  double tolerance = 1e-3;  ///< Bound on |residual| / |right side|, > 0.
-  int productLimit = 100;   ///< >= 0
-};
-
-/// lambda with H lambda = right side, about.
-struct Adjoint {
-  Eigen::Matrix3Xd lambda;  ///< 3 x vertexCount, in the unit of the right side over stiffness.
-  int products = 0;         ///< With H.
-  double residual = 0;      ///< |residual| / |right side|
-  bool converged = false;   ///< False too when H is not positive: no minimum, or a free motion.
-};
 
 /// Solves H lambda = b on the device, H the exact Hessian of a grid's energy at its equilibrium, by
 /// conjugate gradients on one V-cycle: how an equilibrium answers to forces. The right side must
 /// hold no rigid motion: those cost no energy.
 class AdjointSolver {
  public:
-  /// Keeps references. Throws DeviceError when the device's limits are exceeded.
-  AdjointSolver(const Device& device, const DeviceGrid& grid);
+  /// Works with the descent's cycle, and in its vectors while it rests. Keeps references. Throws
+  /// DeviceError when the device's limits are exceeded.
+  AdjointSolver(const Device& device, PreconditionedDescent& descent);
 
-  /// H at DeviceGrid::positions(). rightSide: 3 x vertexCount. Throws DeviceError when the device
-  /// fails.
+  /// H at the positions that the descent has reached. rightSide: 3 x vertexCount. Throws
+  /// DeviceError when the device fails.
   Adjoint solve(const Eigen::Matrix3Xd& rightSide, const AdjointOptions& options = {});
 
  private:
@@ -44,15 +31,14 @@ class AdjointSolver {
   Products run();
 
   const Device& device_;
-  const DeviceGrid& grid_;
+  PreconditionedDescent& descent_;
   std::uint32_t count_;
+  const VertexVector& remainder_;
+  const VertexVector& correction_;
+  const VertexVector& direction_;
   VertexVector solution_;
-  VertexVector remainder_;
-  VertexVector correction_;
-  VertexVector direction_;
   VertexVector product_;
   Buffer sums_;
-  VCycle cycle_;
   GridHessian::Step multiplication_;
   ComputeKernel directionDots_;
   ComputeKernel remainderDots_;

@@ -1,26 +1,26 @@
 #pragma once
 #include <chrono>
-
-#include "solve/equilibrium.h"
+#include <functional>
 
 namespace morphgrid {
 
-/// Hands out checkpoints of a solve: as often as costs 1 % of its time, and one at the beginning of
-/// each phase.
+/// Hands out checkpoints of long work: as often as costs 1 % of its time, and one at the beginning
+/// of each phase.
+template <typename Checkpoint>
 class CheckpointPace {
  public:
-  /// Keeps a reference.
-  explicit CheckpointPace(const SolveOptions& options) : options_(options) {}
+  /// Keeps a reference to who gets them, who may be nobody.
+  explicit CheckpointPace(const std::function<void(Checkpoint)>& take) : take_(take) {}
 
-  /// To be called after every step; make() returns the SolveCheckpoint. last: the solve ends
-  /// here; what it does to leave a result is no state to go on from.
+  /// To be called after every step; make() returns the checkpoint. last: the work ends here; what
+  /// it does to leave a result is no state to go on from.
   template <typename Make>
   void offer(int phase, bool last, const Make& make) {
     const auto begin = Clock::now();
-    if (!options_.onCheckpoint || ended_ || !(last || phase != phase_ || begin >= next_)) {
+    if (!take_ || ended_ || !(last || phase != phase_ || begin >= next_)) {
       return;
     }
-    options_.onCheckpoint(make());
+    take_(make());
     const auto end = Clock::now();
     next_ = end + kPause * (end - begin);
     phase_ = phase;
@@ -31,7 +31,7 @@ class CheckpointPace {
   using Clock = std::chrono::steady_clock;
   static constexpr int kPause = 99;  // Times what a checkpoint takes.
 
-  const SolveOptions& options_;
+  const std::function<void(Checkpoint)>& take_;
   Clock::time_point next_;
   int phase_ = -1;  ///< Of the last one.
   bool ended_ = false;

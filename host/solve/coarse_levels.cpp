@@ -100,8 +100,8 @@ CoarseLevels::CoarseLevels(const Device& device, const DeviceGrid& grid, const B
   }
   const PointLevel& coarsest = *levels_.back();
   const auto halfMotions = static_cast<std::size_t>(2 * coarsest.points().count());
-  coarsestInverse_ = std::make_unique<const TexelBuffer>(
-      device, 3 * halfMotions * halfMotions, vk::Format::eR32G32B32A32Sfloat, MemoryKind::device);
+  coarsestInverse_ = std::make_unique<const TexelBuffer>(device, 3 * halfMotions * halfMotions,
+                                                         TexelFormat::float4, MemoryKind::device);
   const std::vector<KernelResource> resources{
       {kBindingCoarsestInverse, &coarsestInverse_->texels()},
       {kBindingRightSide, &coarsest.rightSide().texels()},

@@ -62,9 +62,9 @@ ColumnPush ColumnTransfer::push(double damping) const {
 }
 
 void ColumnTransfer::recordCentres(CommandStream& stream) const {
-  const vk::DeviceSize bytes = columns_.centres().buffer().bytes();
+  const std::uint64_t bytes = columns_.centres().buffer().bytes();
   stream.copy(positions_, columns_.centres().buffer(), bytes,
-              static_cast<vk::DeviceSize>(centreLayer(grid_.shape())) * bytes);
+              static_cast<std::uint64_t>(centreLayer(grid_.shape())) * bytes);
 }
 
 void ColumnTransfer::recordMatrix(CommandStream& stream, double damping) const {

@@ -24,13 +24,15 @@ ColumnWalk::ColumnWalk(const Device& device, const DeviceGrid& grid, std::uint32
       groupsU_(groupsFor(grid.shape().verticesU, kSweepBlockU * subgroupSize_)),
       groupsV_(groupsFor(grid.shape().verticesV, blockV)) {}
 
-std::vector<std::uint32_t> ColumnWalk::constants(const std::vector<std::uint32_t>& own) const {
+std::vector<std::uint32_t> ColumnWalk::constants(bool measures) const {
   const auto layers = static_cast<std::uint32_t>(grid_.shape().layers);
   const bool unrolled = loop_ == LayerLoop::unrolled && layers <= kUnrolledLayers;
-  const std::uint32_t uniform = grid_.uniformStiffness() ? 1 : 0;
-  std::vector<std::uint32_t> all{subgroupSize_, unrolled ? layers : 0, uniform};
-  all.insert(all.end(), own.begin(), own.end());
-  return all;
+  std::vector<std::uint32_t> constants(kConstantMeasures + 1);
+  constants[kConstantSubgroupSize] = subgroupSize_;
+  constants[kConstantLayers] = unrolled ? layers : 0;
+  constants[kConstantUniformStiffness] = grid_.uniformStiffness() ? 1 : 0;
+  constants[kConstantMeasures] = measures ? 1 : 0;
+  return constants;
 }
 
 GridPush ColumnWalk::push() const {
@@ -44,11 +46,11 @@ GridPush ColumnWalk::push() const {
 }
 
 TexelView integerTexels(const Device& device, const Buffer& buffer) {
-  return {device, buffer, vk::Format::eR32G32B32A32Sint, sizeof(ivec4), TexelAccess::image};
+  return {device, buffer, TexelFormat::int4, TexelAccess::image};
 }
 
 TexelView floatTexels(const Device& device, const Buffer& buffer) {
-  return {device, buffer, vk::Format::eR32G32B32A32Sfloat, sizeof(vec4), TexelAccess::image};
+  return {device, buffer, TexelFormat::float4, TexelAccess::image};
 }
 
 GridTexels::GridTexels(const Device& device, const DeviceGrid& grid)

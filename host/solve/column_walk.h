@@ -23,8 +23,8 @@ class ColumnWalk {
   ColumnWalk(const Device& device, const DeviceGrid& grid, std::uint32_t blockV,
              LayerLoop loop = LayerLoop::unrolled);
 
-  /// Values of the constants of columns.glsl, then those of the kernel itself.
-  std::vector<std::uint32_t> constants(const std::vector<std::uint32_t>& own = {}) const;
+  /// By their numbers, kConstantLayers and so on. measures: of the sweep.
+  std::vector<std::uint32_t> constants(bool measures = false) const;
   GridPush push() const;
 
   std::uint32_t groupsU() const { return groupsU_; }

@@ -8,9 +8,9 @@
 #include <limits>
 
 #include "core/error.h"
+#include "energy/strut_energy.h"
 #include "gpu/command_stream.h"
 #include "shared/solver_types.h"
-#include "solve/energy.h"
 
 namespace morphgrid {
 namespace {
@@ -35,33 +35,29 @@ double chooseResolution(const GridShape& shape) {
 /// Rest lengths on the way between the initial and the designed ones must fit too.
 double chooseRestResolution(const StrutGrid& grid) {
   double longest = grid.spacing;
-  for (const Strut& strut : listStruts(grid.shape)) {
-    longest = std::max({longest, valueAt(grid.rest, strut),
-                        (grid.positions.col(strut.to) - grid.positions.col(strut.from)).norm()});
-  }
+  forEachStrut(grid.shape, [&](const Strut& strut) {
+    longest = std::max({longest, valueAt(grid.rest, strut), lengthAt(grid.positions, strut)});
+  });
   return std::ldexp(1.0, std::ilogb(longest / grid.spacing) + 1 - 31);
 }
 
 std::optional<UniformStiffness> findUniformStiffness(const StrutGrid& grid) {
   UniformStiffness uniform{0, 0};
-  for (const Strut& strut : listStruts(grid.shape)) {
-    const bool vertical = strut.direction == Strut::Direction::w;
-    float& common = vertical ? uniform.vertical : uniform.lateral;
+  bool isUniform = true;
+  forEachStrut(grid.shape, [&](const Strut& strut) {
+    float& common = strut.isLateral() ? uniform.lateral : uniform.vertical;
     const auto stiffness = static_cast<float>(valueAt(grid.stiffness, strut));
-    if (common == 0) {
-      common = stiffness;
-    } else if (common != stiffness) {
-      return std::nullopt;
-    }
-  }
-  return uniform;
+    common = common == 0 ? stiffness : common;
+    isUniform = isUniform && common == stiffness;
+  });
+  return isUniform ? std::optional(uniform) : std::nullopt;
 }
 
 Buffer perVertexBuffer(const Device& device, const GridShape& shape) {
-  using Usage = vk::BufferUsageFlagBits;
+  using Usage = BufferUsage;
   return {device, shape.vertexCount() * sizeof(vec4),
-          Usage::eStorageBuffer | Usage::eUniformTexelBuffer | Usage::eStorageTexelBuffer |
-              Usage::eTransferSrc | Usage::eTransferDst,
+          Usage::storageBuffer | Usage::uniformTexelBuffer | Usage::storageTexelBuffer |
+              Usage::transferSrc | Usage::transferDst,
           MemoryKind::device};
 }
 
@@ -104,8 +100,6 @@ std::vector<vec4> packStiffness(const StrutValues& stiffness) {
 }
 
 }  // namespace
-
-ivec3 sizeOf(const GridShape& shape) { return {shape.verticesU, shape.verticesV, shape.layers}; }
 
 DeviceGrid::DeviceGrid(const Device& device, const StrutGrid& grid)
     : device_(device),

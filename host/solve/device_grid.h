@@ -4,7 +4,6 @@
 
 #include "gpu/buffer.h"
 #include "grid/strut_grid.h"
-#include "shared/topology.h"
 
 namespace morphgrid {
 
@@ -13,9 +12,6 @@ struct UniformStiffness {
   float lateral;
   float vertical;  ///< 0 where there is a single layer.
 };
-
-/// As shaders know it: shared/topology.h.
-ivec3 sizeOf(const GridShape& shape);
 
 /// A strut grid in the device's memory: what the kernels of shaders/solve and shaders/render read.
 /// Lengths are in units of the spacing; positions are fixed-point, see

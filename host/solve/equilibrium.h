@@ -46,9 +46,10 @@ struct SolveCheckpoint {
 
 struct SolveOptions {
   double tolerance = 1e-9;  ///< Bound on the residual, see StrutEnergy::residual(), > 0
-  /// Multigrid also stops when three steps in a row could not have lowered the energy by more than
-  /// this share of it; >= 0, 0: never.
+  /// Multigrid also stops when so many steps in a row could not have lowered the energy by more
+  /// than this share of it; >= 0, 0: never. The predicted decrease varies from step to step.
   double energyTolerance = 1e-9;
+  int quietSteps = 3;            ///< >= 1
   long iterationLimit = 200000;  ///< >= 0
   /// Multigrid starts where the device grid's positions are, near the answer, without coarser
   /// grids.

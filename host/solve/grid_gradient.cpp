@@ -29,9 +29,9 @@ GridGradient::GridGradient(const Device& device, const DeviceGrid& grid, Precisi
       walk_(device, grid, precision == Precision::single ? kSweepBlockV : kPreciseSweepBlockV,
             loop),
       texels_(device, grid),
-      partials_(device, walk_.groupCount() * sizeof(vec4), vk::BufferUsageFlagBits::eStorageBuffer,
+      partials_(device, walk_.groupCount() * sizeof(vec4), BufferUsage::storageBuffer,
                 MemoryKind::device),
-      sums_(device, sizeof(vec4), vk::BufferUsageFlagBits::eStorageBuffer, MemoryKind::host),
+      sums_(device, sizeof(vec4), BufferUsage::storageBuffer, MemoryKind::host),
       kernels_(device, spirvOf(device, precision), sizeof(GridPush), walk_.constants()),
       reduction_(device, gradient_sums_comp_spirv,
                  {{kBindingPartials, &partials_}, {kBindingSums, &sums_}}, sizeof(ReductionPush)) {}

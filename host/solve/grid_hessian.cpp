@@ -13,8 +13,7 @@ namespace {
 
 Buffer positionsBuffer(const Device& device, const DeviceGrid& grid) {
   return {device, grid.positions().bytes(),
-          vk::BufferUsageFlagBits::eStorageTexelBuffer | vk::BufferUsageFlagBits::eTransferSrc |
-              vk::BufferUsageFlagBits::eTransferDst,
+          BufferUsage::storageTexelBuffer | BufferUsage::transferSrc | BufferUsage::transferDst,
           MemoryKind::device};
 }
 

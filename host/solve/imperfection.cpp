@@ -14,9 +14,9 @@ constexpr int kWaves = 4;            // Along u and along v.
 
 double shortestRestLength(const StrutGrid& grid) {
   double shortest = std::numeric_limits<double>::infinity();
-  for (const Strut& strut : listStruts(grid.shape)) {
+  forEachStrut(grid.shape, [&](const Strut& strut) {
     shortest = std::min(shortest, valueAt(grid.rest, strut));
-  }
+  });
   return shortest;
 }
 
@@ -43,15 +43,13 @@ Eigen::Matrix3Xd withImperfection(const StrutGrid& grid, Eigen::Matrix3Xd positi
     return positions;
   }
   const double amplitude = kAmplitude * shortestRestLength(grid);
-  for (int j = 0; j < shape.verticesV; ++j) {
-    for (int i = 0; i < shape.verticesU; ++i) {
-      const Eigen::Vector3d move =
-          amplitude * waves(double(i) / (shape.verticesU - 1), double(j) / (shape.verticesV - 1));
-      for (int k = 0; k < shape.layers; ++k) {
-        positions.col(shape.index(i, j, k)) += move;
-      }
+  forEachVertex(shape.layer(), [&](const GridPlace& place) {
+    const Eigen::Vector3d move =
+        amplitude * waves(double(place.i) / shape.cellsU(), double(place.j) / shape.cellsV());
+    for (int k = 0; k < shape.layers; ++k) {
+      positions.col(shape.index(place.i, place.j, k)) += move;
     }
-  }
+  });
   return positions;
 }
 

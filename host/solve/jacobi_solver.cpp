@@ -9,9 +9,9 @@
 #include <optional>
 
 #include "core/error.h"
+#include "energy/strut_energy.h"
 #include "solve/checkpoint_pace.h"
 #include "solve/control_comp.h"
-#include "solve/energy.h"
 #include "solve/loaded_rest.h"
 #include "solve/sweep_comp.h"
 #include "solve/sweep_precise_comp.h"
@@ -31,7 +31,7 @@ constexpr double kSubmissionSeconds = 0.1;
 constexpr long kPatience = 20000;  // Sweeps without a new best residual that end the run.
 
 Buffer hostStorage(const Device& device, std::size_t bytes) {
-  return {device, bytes, vk::BufferUsageFlagBits::eStorageBuffer, MemoryKind::host};
+  return {device, bytes, BufferUsage::storageBuffer, MemoryKind::host};
 }
 
 }  // namespace
@@ -45,7 +45,7 @@ JacobiSolver::JacobiSolver(const Device& device, const StrutGrid& grid, DeviceGr
       state_(hostStorage(device, sizeof(SolverState))),
       partials_(device,
                 walk_.groupsU() * static_cast<std::uint32_t>(grid.shape.verticesV) * sizeof(vec4),
-                vk::BufferUsageFlagBits::eStorageBuffer, MemoryKind::device),
+                BufferUsage::storageBuffer, MemoryKind::device),
       samples_(hostStorage(device, kLargestSubmission * sizeof(SolverSample))),
       positionsView_(integerTexels(device, deviceGrid.positions())),
       previousView_(integerTexels(device, deviceGrid.previousPositions())),
@@ -72,9 +72,9 @@ JacobiSolver::SweepKernels JacobiSolver::sweepKernels(ShaderCode spirv,
   };
   const auto forth = resources(positionsView_, previousView_, deviceGrid_.previousPositions());
   const auto back = resources(previousView_, positionsView_, deviceGrid_.positions());
-  ComputeKernel even(device_, spirv, forth, sizeof(SweepPush), walk.constants({0}));
+  ComputeKernel even(device_, spirv, forth, sizeof(SweepPush), walk.constants(false));
   ComputeKernel odd(device_, even, back);
-  ComputeKernel measured(device_, spirv, back, sizeof(SweepPush), walk.constants({1}));
+  ComputeKernel measured(device_, spirv, back, sizeof(SweepPush), walk.constants(true));
   return {std::move(even), std::move(odd), std::move(measured), walk};
 }
 
@@ -125,7 +125,7 @@ void JacobiSolver::sweep(int count, bool precise) {
 class JacobiSolver::RunLog {
  public:
   RunLog(const SolveOptions& options, double energyScale)
-      : options_(options), pace_(options), energyScale_(energyScale) {
+      : options_(options), pace_(options.onCheckpoint), energyScale_(energyScale) {
     if (const auto& from = options.resumeFrom) {
       sweeps_ = static_cast<long>(from->iterations);
       start_ -=
@@ -187,7 +187,7 @@ class JacobiSolver::RunLog {
 
  private:
   const SolveOptions& options_;
-  CheckpointPace pace_;
+  CheckpointPace<SolveCheckpoint> pace_;
   double energyScale_;
   int loadStep_ = 0;
   Clock::time_point start_ = Clock::now();

@@ -1,9 +1,9 @@
 #pragma once
 #include <optional>
 
+#include "energy/strut_energy.h"
 #include "gpu/command_stream.h"
 #include "solve/column_walk.h"
-#include "solve/energy.h"
 #include "solve/equilibrium.h"
 
 namespace morphgrid {

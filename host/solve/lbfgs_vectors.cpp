@@ -21,7 +21,7 @@ std::vector<VertexVector> pairVectors(const Device& device, int vertexCount) {
 }
 
 Buffer reductionBuffer(const Device& device, std::uint32_t count, std::size_t bytesPerGroup) {
-  return {device, reductionGroups(count) * bytesPerGroup, vk::BufferUsageFlagBits::eStorageBuffer,
+  return {device, reductionGroups(count) * bytesPerGroup, BufferUsage::storageBuffer,
           MemoryKind::host};
 }
 

@@ -21,6 +21,7 @@ class LbfgsVectors {
   /// What the preconditioner takes and gives.
   const VertexVector& rightSide() const { return rightSide_; }
   const VertexVector& correction() const { return correction_; }
+  const VertexVector& direction() const { return direction_; }
   const Buffer& currentPositions() const { return *states_[current_].positions; }
   /// Whether the current positions are those of DeviceGrid::positions().
   bool currentIsFirst() const { return current_ == 0; }

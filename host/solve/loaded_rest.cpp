@@ -5,10 +5,10 @@ namespace morphgrid {
 StrutValues loadedRest(const StrutGrid& grid, double share) {
   StrutValues rest = grid.rest;
   if (share < 1) {
-    for (const Strut& strut : listStruts(grid.shape)) {
-      const double initial = (grid.positions.col(strut.to) - grid.positions.col(strut.from)).norm();
+    forEachStrut(grid.shape, [&](const Strut& strut) {
+      const double initial = lengthAt(grid.positions, strut);
       valueAt(rest, strut) = initial + share * (valueAt(grid.rest, strut) - initial);
-    }
+    });
   }
   return rest;
 }

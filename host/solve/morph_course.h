@@ -2,9 +2,7 @@
 #include <functional>
 #include <vector>
 
-#include "gpu/device.h"
-#include "grid/strut_grid.h"
-#include "solve/equilibrium.h"
+#include "solve/multigrid_solver.h"
 
 namespace morphgrid {
 
@@ -24,10 +22,10 @@ struct MorphCourse {
   int unconverged = 0;  ///< Steps that did not converge.
 };
 
-/// The course of a slow morph, in which the material is at rest at any time: all struts shrink in
-/// equal shares from their printed lengths, at grid.positions, to grid.rest, and every equilibrium
-/// is sought from the one before, so that the grid stays on its branch where it has several. Throws
-/// DeviceError when the device fails.
-MorphCourse followMorph(const Device& device, const StrutGrid& grid, const MorphOptions& options);
+/// The course of a slow morph, in which the material is at rest at any time: all struts of the
+/// solver's grid shrink in equal shares from their printed lengths, at grid().positions, to
+/// grid().rest, and every equilibrium is sought from the one before, so that the grid stays on its
+/// branch where it has several. Throws DeviceError when the device fails.
+MorphCourse followMorph(MultigridSolver& solver, const MorphOptions& options);
 
 }  // namespace morphgrid

@@ -1,16 +1,74 @@
 #pragma once
 #include <memory>
+#include <optional>
 
+#include "solve/adjoint.h"
 #include "solve/device_grid.h"
 #include "solve/equilibrium.h"
+#include "solve/nested_grids.h"
+#include "solve/smallest_eigenvalue.h"
 
 namespace morphgrid {
 
+class AdjointSolver;
+class PreconditionedDescent;
+class SolveProgress;
+class StrutEnergy;
+
 /// L-BFGS on the device whose initial inverse Hessian is a V-cycle of multigrid on the Gauss-Newton
-/// Hessian, by nested iteration: problems of fewer nodes are solved first and start the finer ones.
-/// deviceGrid holds the solution afterwards. Iterations are V-cycles, those of coarser grids
-/// counted by their share of the vertices. Throws DeviceError when the device fails, InputError
-/// when the checkpoint to resume from is of another grid.
+/// Hessian. It owns a grid, on the host and on the device, and keeps what it has allocated while
+/// rest lengths and positions change: another solve costs its cycles and no more. Where a solve
+/// starts flat, problems of fewer nodes are solved first and start the finer ones; these are freed
+/// again, since grids that have changed start near.
+class MultigridSolver {
+ public:
+  /// deviceGrid holds the grid. Nothing is allocated before it is needed.
+  MultigridSolver(const Device& device, StrutGrid grid, std::shared_ptr<DeviceGrid> deviceGrid);
+  MultigridSolver(const Device& device, const StrutGrid& grid);
+  ~MultigridSolver();
+  MultigridSolver(const MultigridSolver&) = delete;
+
+  /// With the rest lengths that are set; positions are those where the stage began.
+  const StrutGrid& grid() const { return grid_; }
+  const std::shared_ptr<DeviceGrid>& onDevice() const { return deviceGrid_; }
+
+  void setRest(const StrutValues& rest);
+  /// positions: 3 x vertexCount, in the scene's unit of length; where SolveOptions::startsNear
+  /// starts, and where adjoints are taken.
+  void moveTo(const Eigen::Matrix3Xd& positions);
+
+  /// onDevice() holds the solution afterwards. Iterations are V-cycles, those of coarser grids
+  /// counted by their share of the vertices. Throws DeviceError when the device fails, InputError
+  /// when the checkpoint to resume from is of another grid.
+  Equilibrium solve(const SolveOptions& options);
+
+  /// H lambda = rightSide at the present positions, see AdjointSolver.
+  Adjoint solveAdjoint(const Eigen::Matrix3Xd& rightSide, const AdjointOptions& options = {});
+
+  /// One V-cycle at the present positions, for as long as they stay and the solver lives.
+  Preconditioner preconditioner();
+
+ private:
+  PreconditionedDescent& descent();
+  /// Where the finest grid starts: the nested ones are solved, those that the checkpoint leaves.
+  Eigen::Matrix3Xd solveNested(const std::vector<NestedGrid>& grids,
+                               const std::optional<SolveCheckpoint>& from,
+                               SolveProgress& progress) const;
+  /// Positions of a coarser grid's equilibrium, about.
+  Eigen::Matrix3Xd solveCoarse(const StrutGrid& grid, SolveProgress& progress) const;
+  StopReason solveFinest(std::size_t phase, const SolveOptions& options, SolveProgress& progress);
+  /// The present positions, seen by the host.
+  Equilibrium assess(StopReason reason, double tolerance) const;
+
+  const Device& device_;
+  StrutGrid grid_;
+  std::unique_ptr<StrutEnergy> energy_;  ///< Of grid_.
+  std::shared_ptr<DeviceGrid> deviceGrid_;
+  std::unique_ptr<PreconditionedDescent> descent_;
+  std::unique_ptr<AdjointSolver> adjoint_;
+};
+
+/// By a solver that is made for it; deviceGrid holds the grid, and the solution afterwards.
 Equilibrium solveMultigrid(const Device& device, const StrutGrid& grid, DeviceGrid& deviceGrid,
                            const SolveOptions& options);
 

@@ -61,38 +61,34 @@ Stencil cubicStencil(double place, int pointCount) {
 }
 
 /// One value per vertex of a layer, or one per vertex of a coarser or finer one: columns.
-Matrix3Xd resample(const Matrix3Xd& points, int fromU, int fromV, int toU, int toV) {
-  Matrix3Xd result = Matrix3Xd::Zero(3, toU * toV);
-  for (int j = 0; j < toV; ++j) {
-    const Stencil v = cubicStencil(matchingPlace(j, toV, fromV), fromV);
-    for (int i = 0; i < toU; ++i) {
-      const Stencil u = cubicStencil(matchingPlace(i, toU, fromU), fromU);
-      for (int q = 0; q < v.count; ++q) {
-        for (int p = 0; p < u.count; ++p) {
-          result.col(j * toU + i) +=
-              u.weights[p] * v.weights[q] * points.col((v.first + q) * fromU + u.first + p);
-        }
+Matrix3Xd resample(const GridShape& from, const Matrix3Xd& points, const GridShape& to) {
+  Matrix3Xd result = Matrix3Xd::Zero(3, to.layerVertexCount());
+  forEachVertex(to.layer(), [&](const GridPlace& place) {
+    const Stencil u =
+        cubicStencil(matchingPlace(place.i, to.verticesU, from.verticesU), from.verticesU);
+    const Stencil v =
+        cubicStencil(matchingPlace(place.j, to.verticesV, from.verticesV), from.verticesV);
+    for (int q = 0; q < v.count; ++q) {
+      for (int p = 0; p < u.count; ++p) {
+        result.col(to.index(place)) +=
+            u.weights[p] * v.weights[q] * points.col(from.index(u.first + p, v.first + q, 0));
       }
     }
-  }
+  });
   return result;
 }
 
 Matrix3Xd resampleLayers(const GridShape& from, const Matrix3Xd& positions, const GridShape& to,
                          double offsetScale) {
-  const int count = from.layerVertexCount();
-  Matrix3Xd mean = Matrix3Xd::Zero(3, count);
+  Matrix3Xd mean = Matrix3Xd::Zero(3, from.layerVertexCount());
   for (int k = 0; k < from.layers; ++k) {
-    mean += positions.middleCols(k * count, count) / from.layers;
+    mean += layerOf(from, positions, k) / from.layers;
   }
-  const auto resampled = [&](const Matrix3Xd& points) {
-    return resample(points, from.verticesU, from.verticesV, to.verticesU, to.verticesV);
-  };
-  const Matrix3Xd newMean = resampled(mean);
+  const Matrix3Xd newMean = resample(from, mean, to);
   Matrix3Xd result(3, to.vertexCount());
   for (int k = 0; k < to.layers; ++k) {
-    result.middleCols(k * to.layerVertexCount(), to.layerVertexCount()) =
-        newMean + offsetScale * resampled(positions.middleCols(k * count, count) - mean);
+    layerOf(to, result, k) =
+        newMean + offsetScale * resample(from, layerOf(from, positions, k) - mean, to);
   }
   return result;
 }
@@ -180,22 +176,18 @@ std::vector<double> coarsenVertical(const GridShape& fine, const std::vector<dou
   const auto nearest = [](int index, int count, int otherCount) {
     return static_cast<int>(std::lround(matchingPlace(index, count, otherCount)));
   };
-  for (int k = 0; k < coarse.layers; ++k) {
-    for (int j = 0; j < coarse.verticesV; ++j) {
-      for (int i = 0; i < coarse.verticesU; ++i) {
-        result[coarse.index(i, j, k)] =
-            values[fine.index(nearest(i, coarse.verticesU, fine.verticesU),
-                              nearest(j, coarse.verticesV, fine.verticesV), k)];
-      }
-    }
-  }
+  forEachVertex(coarse, [&](const GridPlace& place) {
+    result[coarse.index(place)] =
+        values[fine.index(nearest(place.i, coarse.verticesU, fine.verticesU),
+                          nearest(place.j, coarse.verticesV, fine.verticesV), place.layer)];
+  });
   return result;
 }
 
 double meanOfLayers(const GridShape& shape, const std::vector<double>& values, int column) {
   double sum = 0;
   for (int k = 0; k < shape.layers; ++k) {
-    sum += values[k * shape.layerVertexCount() + column];
+    sum += values[shape.index(column, k)];
   }
   return sum / shape.layers;
 }
@@ -205,7 +197,7 @@ void spreadLayers(const GridShape& shape, std::vector<double>& rest, double fact
   for (int column = 0; column < shape.layerVertexCount(); ++column) {
     const double mean = meanOfLayers(shape, rest, column);
     for (int k = 0; k < shape.layers; ++k) {
-      double& length = rest[k * shape.layerVertexCount() + column];
+      double& length = rest[shape.index(column, k)];
       length = mean + factor * (length - mean);
     }
   }
@@ -219,7 +211,7 @@ double largestLayerDifference(const GridShape& shape, const std::vector<double>&
     if (mean == 0) continue;  // No strut.
     double shortest = mean, longest = mean;
     for (int k = 0; k < shape.layers; ++k) {
-      const double length = rest[k * shape.layerVertexCount() + column];
+      const double length = rest[shape.index(column, k)];
       shortest = std::min(shortest, length);
       longest = std::max(longest, length);
     }
@@ -232,15 +224,16 @@ double largestLayerDifference(const GridShape& shape, const std::vector<double>&
 /// top and the bottom layer's over their distance.
 double largestTurn(const StrutGrid& grid) {
   const GridShape& shape = grid.shape;
-  const int top = (shape.layers - 1) * shape.layerVertexCount();
+  const int top = shape.layers - 1;
   double largest = 0;
   for (int column = 0; column < shape.layerVertexCount() && top > 0; ++column) {
     double distance = 0;
     for (int k = 0; k + 1 < shape.layers; ++k) {
-      distance += grid.rest.w[k * shape.layerVertexCount() + column];
+      distance += grid.rest.w[shape.index(column, k)];
     }
     for (const auto* rest : {&grid.rest.u, &grid.rest.v}) {
-      largest = std::max(largest, std::abs((*rest)[top + column] - (*rest)[column]) / distance);
+      largest = std::max(largest,
+                         std::abs((*rest)[shape.index(column, top)] - (*rest)[column]) / distance);
     }
   }
   return largest;
@@ -249,8 +242,8 @@ double largestTurn(const StrutGrid& grid) {
 StrutGrid coarsened(const StrutGrid& fine, const GridShape& shape) {
   using enum LineSums::Direction;
   StrutGrid coarse{shape, 0, {}, StrutValues(shape), StrutValues(shape), fine.angleWeight};
-  coarse.spacing = fine.spacing * std::max(fine.shape.verticesU - 1, fine.shape.verticesV - 1) /
-                   std::max(shape.verticesU - 1, shape.verticesV - 1);
+  coarse.spacing = fine.spacing * std::max(fine.shape.cellsU(), fine.shape.cellsV()) /
+                   std::max(shape.cellsU(), shape.cellsV());
   coarse.rest.u = coarsenLateral(fine.shape, fine.rest.u, shape, u, false);
   coarse.rest.v = coarsenLateral(fine.shape, fine.rest.v, shape, v, false);
   coarse.rest.w = coarsenVertical(fine.shape, fine.rest.w, shape);
@@ -280,12 +273,10 @@ NestedGrid thickened(StrutGrid grid, const StrutGrid& finest, double wantedThick
 double meanLateralStiffness(const StrutGrid& grid) {
   double sum = 0;
   int count = 0;
-  for (const Strut& strut : listStruts(grid.shape)) {
-    if (strut.direction != Strut::Direction::w) {
-      sum += valueAt(grid.stiffness, strut);
-      ++count;
-    }
-  }
+  forEachLateralStrut(grid.shape, [&](const Strut& strut) {
+    sum += valueAt(grid.stiffness, strut);
+    ++count;
+  });
   return sum / count;
 }
 

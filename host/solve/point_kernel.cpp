@@ -6,20 +6,20 @@ namespace morphgrid {
 namespace {
 
 /// Of the buffer with most.
-vk::DeviceSize writtenBytesPerRow(const std::vector<KernelResource>& resources, PointGrid points) {
-  vk::DeviceSize most = 0;
+std::uint64_t writtenBytesPerRow(const std::vector<KernelResource>& resources, PointGrid points) {
+  std::uint64_t most = 0;
   for (const KernelResource& resource : resources) {
     if (const auto* range = std::get_if<BufferRange>(&resource.resource)) {
-      most = std::max(most, range->bytes / static_cast<vk::DeviceSize>(points.v));
+      most = std::max(most, range->bytes / static_cast<std::uint64_t>(points.v));
     }
   }
   return most;
 }
 
 /// At least kChunkRows, even where they are too many: then binding them tells so.
-int rowsAtATime(const Device& device, PointGrid points, vk::DeviceSize bytesPerRow) {
-  const vk::DeviceSize fitting = device.limits().maxStorageBufferRange / bytesPerRow;
-  if (fitting >= static_cast<vk::DeviceSize>(points.v)) {
+int rowsAtATime(const Device& device, PointGrid points, std::uint64_t bytesPerRow) {
+  const std::uint64_t fitting = device.limits().maxStorageBufferRange / bytesPerRow;
+  if (fitting >= static_cast<std::uint64_t>(points.v)) {
     return points.v;
   }
   return std::max(1, static_cast<int>(fitting) / kChunkRows) * kChunkRows;
@@ -30,9 +30,9 @@ std::vector<KernelResource> resourcesOf(int firstRow, int rows, PointGrid points
                                         std::vector<KernelResource> resources) {
   for (KernelResource& resource : resources) {
     if (auto* range = std::get_if<BufferRange>(&resource.resource)) {
-      const vk::DeviceSize bytesPerRow = range->bytes / static_cast<vk::DeviceSize>(points.v);
-      *range = {range->buffer, static_cast<vk::DeviceSize>(firstRow) * bytesPerRow,
-                static_cast<vk::DeviceSize>(rows) * bytesPerRow};
+      const std::uint64_t bytesPerRow = range->bytes / static_cast<std::uint64_t>(points.v);
+      *range = {range->buffer, static_cast<std::uint64_t>(firstRow) * bytesPerRow,
+                static_cast<std::uint64_t>(rows) * bytesPerRow};
     }
   }
   return resources;

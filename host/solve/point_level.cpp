@@ -12,9 +12,8 @@
 namespace morphgrid {
 namespace {
 
-constexpr auto kTexelUsage =
-    vk::BufferUsageFlagBits::eStorageBuffer | vk::BufferUsageFlagBits::eStorageTexelBuffer |
-    vk::BufferUsageFlagBits::eTransferSrc | vk::BufferUsageFlagBits::eTransferDst;
+constexpr auto kTexelUsage = BufferUsage::storageBuffer | BufferUsage::storageTexelBuffer |
+                             BufferUsage::transferSrc | BufferUsage::transferDst;
 
 /// Of weighted Jacobi that damps eigenvalues from an eighth of the largest one on.
 constexpr double smoothingWeightFor(double spectralRadius) {
@@ -22,7 +21,7 @@ constexpr double smoothingWeightFor(double spectralRadius) {
 }
 
 TexelBuffer motions(const Device& device, PointGrid points) {
-  return {device, 2 * static_cast<std::size_t>(points.count()), vk::Format::eR32G32B32A32Sfloat,
+  return {device, 2 * static_cast<std::size_t>(points.count()), TexelFormat::float4,
           MemoryKind::device};
 }
 
@@ -40,15 +39,15 @@ KernelFamily family(const Device& device, ShaderCode spirv, std::size_t pushByte
 
 }  // namespace
 
-TexelBuffer::TexelBuffer(const Device& device, std::size_t texels, vk::Format format,
+TexelBuffer::TexelBuffer(const Device& device, std::size_t texels, TexelFormat format,
                          MemoryKind kind)
     : buffer_(device, texels * sizeof(vec4), kTexelUsage, kind),
-      texels_(device, buffer_, format, sizeof(vec4), TexelAccess::image) {}
+      texels_(device, buffer_, format, TexelAccess::image) {}
 
 BlockField::BlockField(const Device& device, int pointCount, MemoryKind kind) {
   for (std::uint32_t n = 0; n < kBlockParts; ++n) {
     parts_.emplace_back(device, static_cast<std::size_t>(pointCount) * kPartTexels,
-                        vk::Format::eR32G32B32A32Sfloat, kind);
+                        TexelFormat::float4, kind);
   }
 }
 
@@ -82,8 +81,7 @@ PointLevel::PointLevel(const Device& device, PointKernels& kernels, PointGrid po
       smoothingWeight_(smoothingWeightFor(spectralRadiusBound)),
       matrix_(blockFields(device, points, memory)),
       inverse_(device, points.count(), MemoryKind::device),
-      centres_(device, static_cast<std::size_t>(points.count()), vk::Format::eR32G32B32A32Sint,
-               memory),
+      centres_(device, static_cast<std::size_t>(points.count()), TexelFormat::int4, memory),
       rightSide_(motions(device, points)),
       iterate_(motions(device, points)),
       result_(motions(device, points)),

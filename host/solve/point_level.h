@@ -9,7 +9,7 @@ namespace morphgrid {
 /// A buffer that kernels write, with a view through which they read texels of four components.
 class TexelBuffer {
  public:
-  TexelBuffer(const Device& device, std::size_t texels, vk::Format format, MemoryKind kind);
+  TexelBuffer(const Device& device, std::size_t texels, TexelFormat format, MemoryKind kind);
 
   const Buffer& buffer() const { return buffer_; }
   const TexelView& texels() const { return texels_; }

@@ -32,6 +32,15 @@ PreconditionedDescent::PreconditionedDescent(const Device& device, DeviceGrid& g
       cycle_(device, grid, vectors_.rightSide(), vectors_.correction()),
       stream_(device),
       predictedDecrease_(std::numeric_limits<double>::infinity()) {
+  begin(false);
+}
+
+void PreconditionedDescent::begin(bool keepsHessian) {
+  history_.clear();
+  predictedDecrease_ = std::numeric_limits<double>::infinity();
+  damping_ = 0;
+  linearisationIsStale_ = linearisationIsStale_ || !keepsHessian;
+  linearisationIsHere_ = false;
   stream_.begin();
   vectors_.recordCurrentGradient(stream_);
   stream_.end();
@@ -39,11 +48,17 @@ PreconditionedDescent::PreconditionedDescent(const Device& device, DeviceGrid& g
   sums_ = vectors_.sums();
 }
 
+void PreconditionedDescent::takeHessian() {
+  damping_ = 0;
+  linearise();
+}
+
 double PreconditionedDescent::gradientNorm() const { return std::sqrt(sums_.squaredNorm); }
 
 void PreconditionedDescent::linearise() {
   cycle_.linearise(vectors_.currentPositions(), damping_);
   linearisationIsStale_ = false;
+  linearisationIsHere_ = true;
   stepsSinceLinearisation_ = 0;
   damping_ = damping_ > kFirstDamping ? damping_ * kDampingDecay : 0;
 }
@@ -54,11 +69,12 @@ bool PreconditionedDescent::iterate() {
   }
   double damping = kFirstDamping;
   while (!descend()) {
-    if (history_.empty() && damping > kLargestDamping) {
-      return false;
-    }
-    // Off to a new start: first without what the pairs remember, then more and more cautiously.
-    if (history_.empty()) {
+    // Off to a new start: first without what the pairs and an older Hessian remember, then more and
+    // more cautiously.
+    if (history_.empty() && linearisationIsHere_) {
+      if (damping > kLargestDamping) {
+        return false;
+      }
       damping_ = damping;
       damping *= kDampingGrowth;
     }
@@ -120,6 +136,7 @@ bool PreconditionedDescent::searchLine(double descent) {
       sums_ = trial;
       dots_ = vectors_.dots();
       history_.add(dots_.products);
+      linearisationIsHere_ = false;
       vectors_.accept();
       grid_.noteNewest(vectors_.currentIsFirst());
       return true;

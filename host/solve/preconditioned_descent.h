@@ -8,8 +8,12 @@ namespace morphgrid {
 /// decisions here. Lengths in units of the spacing, energies in stiffness x spacing^2.
 class PreconditionedDescent {
  public:
-  /// Keeps references. Starts at the device grid's positions.
+  /// Keeps references. Begins at the device grid's positions.
   PreconditionedDescent(const Device& device, DeviceGrid& grid, Precision precision);
+
+  /// Begins anew at the device grid's positions, which may have changed as its rest lengths may.
+  /// keepsHessian: the one taken last serves on, until the energy does not fall as it says.
+  void begin(bool keepsHessian);
 
   /// One V-cycle and a step downhill. False when no step lowers the energy, even with damping: at
   /// this precision it falls no further.
@@ -27,6 +31,15 @@ class PreconditionedDescent {
 
   /// Brings the positions reached to DeviceGrid::positions().
   void finish();
+
+  /// Takes the Hessian, undamped, at the positions reached: for others who use its cycle,
+  /// correction = about H^-1 rightSide, between finish() and begin().
+  void takeHessian();
+  VCycle& cycle() { return cycle_; }
+  const VertexVector& rightSide() const { return vectors_.rightSide(); }
+  const VertexVector& correction() const { return vectors_.correction(); }
+  const VertexVector& direction() const { return vectors_.direction(); }
+  const GridShape& shape() const { return grid_.shape(); }
 
  private:
   void linearise();
@@ -50,6 +63,7 @@ class PreconditionedDescent {
   double damping_ = 0;
   int stepsSinceLinearisation_ = 0;
   bool linearisationIsStale_ = true;
+  bool linearisationIsHere_ = false;  ///< At the positions reached.
 };
 
 }  // namespace morphgrid

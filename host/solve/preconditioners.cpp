@@ -2,7 +2,7 @@
 
 #include <memory>
 
-#include "solve/constant_matrix.h"
+#include "energy/constant_matrix.h"
 #include "solve/v_cycle.h"
 
 namespace morphgrid {
@@ -10,17 +10,13 @@ namespace {
 
 using Eigen::Matrix3Xd;
 
-class VCycleSolve {
+class RecordedCycle {
  public:
-  VCycleSolve(const Device& device, const DeviceGrid& grid)
-      : device_(device),
-        rightSide_(device, grid.shape().vertexCount()),
-        correction_(device, grid.shape().vertexCount()),
-        cycle_(device, grid, rightSide_, correction_),
-        stream_(device) {
-    cycle_.linearise(grid.positions());
+  RecordedCycle(const Device& device, const VertexVector& rightSide, const VertexVector& correction,
+                const VCycle& cycle)
+      : device_(device), rightSide_(rightSide), correction_(correction), stream_(device) {
     stream_.begin();
-    cycle_.record(stream_);
+    cycle.record(stream_);
     stream_.end();
   }
 
@@ -32,23 +28,43 @@ class VCycleSolve {
 
  private:
   const Device& device_;
-  VertexVector rightSide_;
-  VertexVector correction_;
-  VCycle cycle_;
+  const VertexVector& rightSide_;
+  const VertexVector& correction_;
   CommandStream stream_;
+};
+
+/// A cycle of its own.
+struct OwnCycle {
+  OwnCycle(const Device& device, const DeviceGrid& grid)
+      : rightSide(device, grid.shape().vertexCount()),
+        correction(device, grid.shape().vertexCount()),
+        cycle(device, grid, rightSide, correction) {
+    cycle.linearise(grid.positions());
+  }
+
+  VertexVector rightSide;
+  VertexVector correction;
+  VCycle cycle;
 };
 
 }  // namespace
 
+Preconditioner vCyclePreconditioner(const Device& device, const VertexVector& rightSide,
+                                    const VertexVector& correction, const VCycle& cycle) {
+  return [recorded = std::make_shared<RecordedCycle>(device, rightSide, correction, cycle)](
+             const Matrix3Xd& right) { return (*recorded)(right); };
+}
+
 Preconditioner vCyclePreconditioner(const Device& device, const DeviceGrid& grid) {
-  return [solve = std::make_shared<VCycleSolve>(device, grid)](const Matrix3Xd& right) {
-    return (*solve)(right);
-  };
+  const auto own = std::make_shared<OwnCycle>(device, grid);
+  return [own, solve = vCyclePreconditioner(device, own->rightSide, own->correction, own->cycle)](
+             const Matrix3Xd& right) { return solve(right); };
 }
 
 Preconditioner constantMatrixPreconditioner(const StrutGrid& grid) {
-  return [matrix = std::make_shared<const ConstantMatrix>(grid, StrutEnergy(grid))](
-             const Matrix3Xd& right) { return matrix->solve(right); };
+  return [matrix = std::make_shared<const ConstantMatrix>(grid)](const Matrix3Xd& right) {
+    return matrix->solve(right);
+  };
 }
 
 }  // namespace morphgrid

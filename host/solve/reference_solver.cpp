@@ -8,8 +8,9 @@
 #include <optional>
 
 #include "core/error.h"
+#include "energy/constant_matrix.h"
+#include "energy/strut_energy.h"
 #include "solve/checkpoint_pace.h"
-#include "solve/constant_matrix.h"
 
 namespace morphgrid {
 namespace {
@@ -18,14 +19,13 @@ using Eigen::Matrix3Xd;
 using Clock = std::chrono::steady_clock;
 
 constexpr std::size_t kRememberedPairs = 8;
-constexpr int kMostTrials = 30;
-constexpr double kArmijo = 1e-4;
+constexpr int kLineSearchSteps = 30;
+constexpr double kSufficientDecrease = 1e-4;
 // Near the minimum the energy's rounding hides its decrease; there the slope decides (approximate
 // Wolfe condition, Hager & Zhang 2005).
 constexpr double kEnergyRounding = 1e-13;
-constexpr long kPatientIterations =
-    300;                            // Iterations without a new best residual that end the run.
-constexpr double kLongestMove = 2;  // Spacings that a vertex may move in one step.
+constexpr long kPatience = 300;     // Iterations without a new best residual that end the run.
+constexpr double kLargestMove = 2;  // Spacings that a vertex may move in one step.
 constexpr long kSampleEvery = 10;
 
 double dot(const Matrix3Xd& a, const Matrix3Xd& b) { return a.cwiseProduct(b).sum(); }
@@ -85,13 +85,13 @@ std::optional<Trial> searchLine(const StrutEnergy& energy, const Matrix3Xd& posi
     return std::nullopt;
   }
   const double longest = direction.colwise().norm().maxCoeff();
-  double step = std::min(1.0, kLongestMove * spacing / longest);
-  for (int attempt = 0; attempt < kMostTrials; ++attempt, step *= 0.5) {
+  double step = std::min(1.0, kLargestMove * spacing / longest);
+  for (int attempt = 0; attempt < kLineSearchSteps; ++attempt, step *= 0.5) {
     Matrix3Xd candidate = positions + step * direction;
     StrutEnergy::Value value = energy.evaluate(candidate);
-    const bool decreases = value.energy <= at.energy + kArmijo * step * slope;
+    const bool decreases = value.energy <= at.energy + kSufficientDecrease * step * slope;
     const bool flattens = value.energy <= at.energy * (1 + kEnergyRounding) &&
-                          dot(direction, value.gradient) <= (2 * kArmijo - 1) * slope;
+                          dot(direction, value.gradient) <= (2 * kSufficientDecrease - 1) * slope;
     if (decreases || flattens) {
       return Trial{std::move(candidate), std::move(value)};
     }
@@ -105,7 +105,7 @@ Equilibrium solveReference(const StrutGrid& grid, const SolveOptions& options) {
   validate(grid);
   auto start = Clock::now();
   const StrutEnergy energy(grid);
-  const ConstantMatrix matrix(grid, energy);
+  const ConstantMatrix matrix(grid);
   LimitedMemory memory;
 
   Equilibrium result;
@@ -121,7 +121,7 @@ Equilibrium solveReference(const StrutGrid& grid, const SolveOptions& options) {
     start -=
         std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(from->seconds));
   }
-  CheckpointPace pace(options);
+  CheckpointPace<SolveCheckpoint> pace(options.onCheckpoint);
   StrutEnergy::Value value = energy.evaluate(result.positions);
   double bestResidual = std::numeric_limits<double>::infinity();
   long bestIteration = result.iterations;
@@ -164,7 +164,7 @@ Equilibrium solveReference(const StrutGrid& grid, const SolveOptions& options) {
       trial = searchLine(energy, result.positions, value, memory.direction(value.gradient, matrix),
                          grid.spacing);
     }
-    if (!trial || result.iterations - bestIteration > kPatientIterations) {
+    if (!trial || result.iterations - bestIteration > kPatience) {
       result.reason = StopReason::stagnated;
       return result;
     }

@@ -7,7 +7,8 @@
 
 #include "core/error.h"
 #include "core/interrupt.h"
-#include "solve/exact_hessian.h"
+#include "energy/exact_hessian.h"
+#include "energy/strut_energy.h"
 
 namespace morphgrid {
 namespace {
@@ -80,7 +81,7 @@ class Problem {
   Problem(const StrutGrid& grid, const Matrix3Xd& positions, const Preconditioner& preconditioner,
           Motions motions)
       : energy_(grid),
-        hessian_(grid, energy_, positions),
+        hessian_(grid, positions),
         preconditioner_(preconditioner),
         motions_(motions),
         rigid_(rigidMotions(positions, motions)) {}

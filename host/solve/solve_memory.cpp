@@ -16,6 +16,7 @@ constexpr std::uint64_t kTexel = sizeof(vec4);
 constexpr std::uint64_t kGridTexels = 4;      // DeviceGrid
 constexpr std::uint64_t kStagingTexels = 1;   // Of a download, on its way to the host.
 constexpr std::uint64_t kDescentTexels = 16;  // LbfgsVectors, VCycle, GridHessian
+constexpr std::uint64_t kAdjointTexels = 2;   // AdjointSolver, beside the descent's.
 
 // Texels a point of a coarse level: the matrix and its inverse diagonal, centre, three motions and
 // levers.
@@ -24,6 +25,8 @@ constexpr std::uint64_t kPointTexels = (kStencilSize + 1) * kBlockTexels + 1 + 6
 
 // Grids, energy and checkpoint, as measured. Files to export take more, after the solve.
 constexpr std::uint64_t kHostBytesPerVertex = 1000;
+// Two lateral struts a vertex: ten pairs of L-BFGS, again in a checkpoint and in its file's bytes.
+constexpr std::uint64_t kInverseHostBytesPerVertex = 1800;
 
 std::uint64_t vertices(const GridShape& shape) {
   return std::uint64_t(shape.verticesU) * shape.verticesV * shape.layers;
@@ -52,6 +55,13 @@ SolveMemory multigridMemory(const GridShape& shape) {
   return {kTexel * texels, kHostBytesPerVertex * vertices(shape),
           kTexel * std::max(vertices(shape), partTexels(shape.verticesV)),
           kTexel * std::max(vertices(shape), partTexels(std::min(shape.verticesV, kChunkRows)))};
+}
+
+SolveMemory inverseDesignMemory(const GridShape& shape) {
+  SolveMemory memory = multigridMemory(shape);
+  memory.device += kTexel * kAdjointTexels * vertices(shape);
+  memory.host += kInverseHostBytesPerVertex * vertices(shape);
+  return memory;
 }
 
 SolveMemory jacobiMemory(const GridShape& shape) {

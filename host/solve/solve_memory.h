@@ -13,8 +13,11 @@ struct SolveMemory {
   std::uint64_t mostBound;      ///< Of a buffer that kernels write, in the chunks in which they do.
 };
 
-/// A stage of solveMultigrid(), with checkpoints.
+/// MultigridSolver, with checkpoints.
 SolveMemory multigridMemory(const GridShape& shape);
+
+/// MultigridSolver with adjoints, and what inverse design keeps on the host, with checkpoints.
+SolveMemory inverseDesignMemory(const GridShape& shape);
 
 /// A stage of JacobiSolver, with checkpoints.
 SolveMemory jacobiMemory(const GridShape& shape);

@@ -10,10 +10,9 @@
 namespace morphgrid {
 
 VertexVector::VertexVector(const Device& device, int vertexCount)
-    : buffer_(device, static_cast<vk::DeviceSize>(vertexCount) * sizeof(vec4),
-              vk::BufferUsageFlagBits::eStorageBuffer |
-                  vk::BufferUsageFlagBits::eStorageTexelBuffer |
-                  vk::BufferUsageFlagBits::eTransferSrc | vk::BufferUsageFlagBits::eTransferDst,
+    : buffer_(device, static_cast<std::uint64_t>(vertexCount) * sizeof(vec4),
+              BufferUsage::storageBuffer | BufferUsage::storageTexelBuffer |
+                  BufferUsage::transferSrc | BufferUsage::transferDst,
               MemoryKind::device),
       texels_(floatTexels(device, buffer_)) {}
 

@@ -16,7 +16,7 @@ struct Visit {
 };
 
 /// Embree calls this for every triangle in reach; true tells it that the radius has shrunk.
-bool visitNeighbour(RTCPointQueryFunctionArguments* arguments) {
+bool visitTriangle(RTCPointQueryFunctionArguments* arguments) {
   const auto& visit = *static_cast<const Visit*>(arguments->userPtr);
   const double radius = visit.visitor(static_cast<int>(arguments->primID));
   const float queryRadius = visit.queryRadius(radius);
@@ -35,7 +35,7 @@ EmbreeNeighbourhood::EmbreeNeighbourhood(const Eigen::Matrix3Xd& vertices,
 void EmbreeNeighbourhood::visit(const Eigen::Vector3d& point, double radius,
                                 const Visitor& visitor) const {
   Visit visit{visitor, rounding_};
-  mesh_.query(point, visit.queryRadius(radius), visitNeighbour, &visit);
+  mesh_.query(point, visit.queryRadius(radius), visitTriangle, &visit);
 }
 
 }  // namespace morphgrid

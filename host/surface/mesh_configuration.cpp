@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <numbers>
+#include <tuple>
 
 #include "core/read_file.h"
 #include "core/toml_reader.h"
@@ -90,6 +91,14 @@ Eigen::Affine3d readTransforms(TomlReader& reader) {
 }
 
 }  // namespace
+
+bool MeshConfiguration::operator==(const MeshConfiguration& other) const {
+  const auto tied = [](const MeshConfiguration& configuration) {
+    const auto& [file, world, countU, countV, rounds] = configuration;
+    return std::tuple(file, Eigen::Matrix4d(world.matrix()), countU, countV, rounds);
+  };
+  return tied(*this) == tied(other);
+}
 
 MeshConfiguration readMeshConfiguration(const std::filesystem::path& file) {
   TomlReader reader(file, parseToml(file));

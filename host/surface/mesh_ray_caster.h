@@ -16,6 +16,8 @@ struct SamplingBox {
   double vStart;
   double uLength;  ///< > 0
   double vLength;  ///< > 0
+
+  bool operator==(const SamplingBox&) const = default;
 };
 
 /// Where a lattice of rays along +x meets a mesh (Eqs. 7 - 10). Ray (i, j) runs through

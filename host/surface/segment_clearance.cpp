@@ -11,7 +11,7 @@
 namespace morphgrid {
 namespace {
 
-using CartesianKernel = CGAL::Simple_cartesian<double>;
+using Kernel = CGAL::Simple_cartesian<double>;
 
 /// Embree has no segments without thickness: triangles with two corners at one place stand for
 /// them.
@@ -34,7 +34,7 @@ Eigen::VectorXd segmentClearances(const Eigen::Matrix3Xd& points, const Matrix2X
   const auto segment = [&](int index) {
     const Eigen::Vector3d a = points.col(segments(0, index));
     const Eigen::Vector3d b = points.col(segments(1, index));
-    return CartesianKernel::Segment_3({a.x(), a.y(), a.z()}, {b.x(), b.y(), b.z()});
+    return Kernel::Segment_3({a.x(), a.y(), a.z()}, {b.x(), b.y(), b.z()});
   };
   Eigen::VectorXd clearances(segments.cols());
   for (int index = 0; index < segments.cols(); ++index) {

@@ -25,10 +25,10 @@ StrutValues shrinkShares(const StrutGrid& grid, double maxShrinkage) {
 StrutValues layerShares(const GridShape& shape) {
   StrutValues shares(shape);
   const double top = std::max(shape.layers - 1, 1);
-  for (const Strut& strut : listStruts(shape)) {
-    const double half = strut.direction == Strut::Direction::w ? 0.5 : 0;
+  forEachStrut(shape, [&](const Strut& strut) {
+    const double half = strut.isLateral() ? 0 : 0.5;
     valueAt(shares, strut) = (strut.layer + half) / top;
-  }
+  });
   return shares;
 }
 
@@ -40,10 +40,10 @@ Eigen::VectorXd targetDistances(const ShownGrid& shown, const Eigen::Matrix3Xd& 
 /// Of a strut, the mean of its ends' columns.
 StrutValues strutShares(const GridShape& shape, const Eigen::VectorXd& columns) {
   StrutValues shares(shape);
-  const int count = shape.layerVertexCount();
-  for (const Strut& strut : listStruts(shape)) {
-    valueAt(shares, strut) = 0.5 * (columns[strut.from % count] + columns[strut.to % count]);
-  }
+  forEachStrut(shape, [&](const Strut& strut) {
+    valueAt(shares, strut) =
+        0.5 * (columns[shape.column(strut.from)] + columns[shape.column(strut.to)]);
+  });
   return shares;
 }
 

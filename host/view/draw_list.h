@@ -18,7 +18,7 @@ class DrawList {
 
   const std::vector<DrawnGrid>& grids() const { return grids_; }
   /// Null unless that is what is shown.
-  const std::shared_ptr<const ShownSampling>& sampling() const { return sampling_; }
+  const std::shared_ptr<const MeshSampling>& sampling() const { return sampling_; }
   int samples() const { return samples_; }  ///< Of a pixel.
   /// Of struts in a picture that may take its time.
   StrutStyle pictureStyle() const { return pictureStyle_; }
@@ -34,7 +34,7 @@ class DrawList {
   GridShape governed_{2, 2, 1};
   DetailGovernor governor_{governed_};
   std::vector<DrawnGrid> grids_;
-  std::shared_ptr<const ShownSampling> sampling_;
+  std::shared_ptr<const MeshSampling> sampling_;
   std::optional<Legend> legend_;
   int samples_ = 1;
   StrutStyle pictureStyle_ = StrutStyle::ribbons;

@@ -247,22 +247,19 @@ void drawPanels(const Snapshot& snapshot, ViewState& state, Session& session,
 }
 
 void drawStrutNumbers(const ShownGrid& shown, const Strut& strut) {
-  const auto arm = [&](const Eigen::Matrix3Xd& positions) {
-    return (positions.col(strut.to) - positions.col(strut.from)).norm();
-  };
   const GridShape& shape = shown.grid->shape;
   const double rest = valueAt(shown.grid->rest, strut);
-  const double printed = arm(shown.grid->positions);
-  const double present = arm(*shown.positions);
-  const int place = strut.from % shape.layerVertexCount();
+  const double printed = lengthAt(shown.grid->positions, strut);
+  const double present = lengthAt(*shown.positions, strut);
+  const GridPlace place = shape.place(strut.from);
   constexpr std::array<const char*, 3> directions = {"u", "v", "w"};
   ImGui::SetNextWindowPos({kPanelWidth + 16, 16}, ImGuiCond_Appearing);
   ImGui::Begin("Strut", nullptr,
                ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoNav |
                    ImGuiWindowFlags_NoSavedSettings);
   ImGui::Text("along %s, from (%d, %d), layer %d of %d",
-              directions[static_cast<std::size_t>(strut.direction)], place % shape.verticesU,
-              place / shape.verticesU, strut.layer + 1, shape.layers);
+              directions[static_cast<std::size_t>(strut.direction)], place.i, place.j,
+              place.layer + 1, shape.layers);
   ImGui::Text("rest %.6g   printed %.6g   now %.6g", rest, printed, present);
   ImGui::Text("strain %+.2f %%   shrink %.2f %%", 100 * (present - rest) / rest,
               100 * (1 - rest / printed));

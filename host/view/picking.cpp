@@ -47,11 +47,11 @@ std::optional<Strut> pickStrut(const GridShape& shape, const Eigen::Matrix3Xd& p
   }
   std::optional<Strut> picked;
   double nearest = std::numeric_limits<double>::infinity();
-  for (const Strut& strut : listStruts(shape)) {
+  forEachStrut(shape, [&](const Strut& strut) {
     const Projected& a = vertices[strut.from];
     const Projected& b = vertices[strut.to];
     if (a.depth <= 0 || b.depth <= 0) {
-      continue;
+      return;
     }
     const double share = nearestShare(a.pixel, b.pixel, pixel);
     const double depth = glm::mix(a.depth, b.depth, share);
@@ -59,7 +59,7 @@ std::optional<Strut> pickStrut(const GridShape& shape, const Eigen::Matrix3Xd& p
       nearest = depth;
       picked = strut;
     }
-  }
+  });
   return picked;
 }
 

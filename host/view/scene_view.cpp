@@ -4,9 +4,9 @@
 
 namespace morphgrid {
 
-SceneView::SceneView(const Device& device, vk::Format format) : device_(device), format_(format) {}
+SceneView::SceneView(const Device& device, ColorFormat format) : device_(device), format_(format) {}
 
-void SceneView::setImages(vk::Extent2D size, const std::vector<vk::ImageView>& images) {
+void SceneView::setImages(PixelSize size, const std::vector<VkImageView>& images) {
   size_ = size;
   images_ = images;
   for (auto& [samples, style] : styles_) {
@@ -17,9 +17,8 @@ void SceneView::setImages(vk::Extent2D size, const std::vector<vk::ImageView>& i
 SceneView::Style& SceneView::styleOf(int samples) {
   std::unique_ptr<Style>& style = styles_[samples];
   if (!style) {
-    DrawPass pass(device_, {format_, static_cast<std::uint32_t>(samples),
-                            vk::ImageLayout::eColorAttachmentOptimal});
-    GridPainter painter(device_, pass.renderPass(), pass.samples());
+    DrawPass pass(device_, {format_, static_cast<std::uint32_t>(samples), NextUse::drawnOver});
+    GridPainter painter(device_, pass);
     style = std::make_unique<Style>(Style{std::move(pass), std::move(painter), std::nullopt});
   }
   return *style;
@@ -27,7 +26,7 @@ SceneView::Style& SceneView::styleOf(int samples) {
 
 const Canvas& SceneView::canvasOf(Style& style) {
   if (!style.canvas) {
-    style.canvas.emplace(device_, style.pass, size_.width, size_.height, images_);
+    style.canvas.emplace(device_, style.pass, size_, images_);
   }
   return *style.canvas;
 }
@@ -46,11 +45,11 @@ const GridResources& SceneView::resourcesOf(const DrawnGrid& drawn) {
   return *held_.back().resources;
 }
 
-const SamplingDrawing& SceneView::drawingOf(const std::shared_ptr<const ShownSampling>& sampling,
+const SamplingDrawing& SceneView::drawingOf(const std::shared_ptr<const MeshSampling>& sampling,
                                             const Style& style) {
   if (sampling_ != sampling || samplingStyle_ != &style) {
-    samplingDrawing_ = std::make_unique<SamplingDrawing>(
-        device_, sampling->mesh, sampling->hits, style.pass.renderPass(), style.pass.samples());
+    samplingDrawing_ =
+        std::make_unique<SamplingDrawing>(device_, sampling->mesh, sampling->hits, style.pass);
     sampling_ = sampling;
     samplingStyle_ = &style;
   }
@@ -64,16 +63,15 @@ void SceneView::letGo() {
   }
 }
 
-void SceneView::record(const vk::raii::CommandBuffer& commands, std::size_t image, int samples,
+void SceneView::record(const CommandBuffer& commands, std::size_t image, int samples,
                        const std::vector<DrawnGrid>& grids,
-                       const std::shared_ptr<const ShownSampling>& sampling, const Camera& camera,
+                       const std::shared_ptr<const MeshSampling>& sampling, const Camera& camera,
                        const SceneArea& area) {
   letGo();
   Style& style = styleOf(samples);
-  canvasOf(style).record(commands, image, [&](const vk::raii::CommandBuffer& pass) {
-    pass.setViewport(
-        0, vk::Viewport(static_cast<float>(area.left), static_cast<float>(area.top),
-                        static_cast<float>(area.width), static_cast<float>(area.height), 0, 1));
+  canvasOf(style).record(commands, image, [&](const CommandBuffer& pass) {
+    setViewport(pass, {static_cast<float>(area.left), static_cast<float>(area.top),
+                       static_cast<float>(area.width), static_cast<float>(area.height)});
     if (sampling) {
       drawingOf(sampling, style).draw(pass, camera, area.height);
     }

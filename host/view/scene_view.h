@@ -30,16 +30,16 @@ struct SceneArea {
 class SceneView {
  public:
   /// format: of the swapchain. Keeps a reference. Throws DeviceError when the device refuses.
-  SceneView(const Device& device, vk::Format format);
+  SceneView(const Device& device, ColorFormat format);
 
   /// New images to draw into: of a swapchain of this size.
-  void setImages(vk::Extent2D size, const std::vector<vk::ImageView>& images);
+  void setImages(PixelSize size, const std::vector<VkImageView>& images);
 
   /// Draws into image `image`, which is in eColorAttachmentOptimal afterwards; sampling may be
   /// null. To be called when the last picture has been drawn: what only that one needed is let go.
-  void record(const vk::raii::CommandBuffer& commands, std::size_t image, int samples,
+  void record(const CommandBuffer& commands, std::size_t image, int samples,
               const std::vector<DrawnGrid>& grids,
-              const std::shared_ptr<const ShownSampling>& sampling, const Camera& camera,
+              const std::shared_ptr<const MeshSampling>& sampling, const Camera& camera,
               const SceneArea& area);
 
  private:
@@ -58,20 +58,20 @@ class SceneView {
 
   Style& styleOf(int samples);
   const Canvas& canvasOf(Style& style);
-  const SamplingDrawing& drawingOf(const std::shared_ptr<const ShownSampling>& sampling,
+  const SamplingDrawing& drawingOf(const std::shared_ptr<const MeshSampling>& sampling,
                                    const Style& style);
   const GridResources& resourcesOf(const DrawnGrid& drawn);
   void letGo();
 
   const Device& device_;
-  vk::Format format_;
+  ColorFormat format_;
   std::map<int, std::unique_ptr<Style>> styles_;
   std::vector<Held> held_;
-  std::shared_ptr<const ShownSampling> sampling_;
+  std::shared_ptr<const MeshSampling> sampling_;
   std::unique_ptr<SamplingDrawing> samplingDrawing_;  ///< Of sampling_, for the style drawn last.
   const Style* samplingStyle_ = nullptr;
-  vk::Extent2D size_;
-  std::vector<vk::ImageView> images_;
+  PixelSize size_;
+  std::vector<VkImageView> images_;
 };
 
 }  // namespace morphgrid

@@ -10,7 +10,7 @@
 #include "render/camera.h"
 #include "solve/device_grid.h"
 #include "solve/equilibrium.h"
-#include "surface/mesh_ray_caster.h"
+#include "surface/mesh_sampling.h"
 
 namespace morphgrid {
 
@@ -25,12 +25,6 @@ struct ShownGrid {
   Eigen::Isometry3d worldFromGrid = Eigen::Isometry3d::Identity();  ///< To where the target lies.
   std::shared_ptr<const StrutGrid> grid;              ///< Null for the solver's coarser grids.
   std::shared_ptr<const Eigen::Matrix3Xd> positions;  ///< 3 x vertexCount, of a while ago.
-};
-
-/// How rays sampled a mesh.
-struct ShownSampling {
-  TriangleMesh mesh;
-  RayHits hits;
 };
 
 enum class Activity {
@@ -64,7 +58,7 @@ struct Snapshot {
   std::string status;  ///< What is being done, or how it ended.
   Activity activity = Activity::designing;
   std::array<std::optional<ShownGrid>, kStageNames.size()> stages;  ///< But sampling.
-  std::shared_ptr<const ShownSampling> sampling;                    ///< Of meshes.
+  std::shared_ptr<const MeshSampling> sampling;                     ///< Of meshes.
   ShownStage newest = ShownStage::target;                           ///< That the run has reached.
   std::shared_ptr<const Eigen::Matrix3Xd> targets;  ///< 3 x layerVertexCount; null without target.
   Eigen::AlignedBox3d extent;                       ///< Of all that is shown; may be empty.

@@ -7,6 +7,8 @@
 
 #include "core/error.h"
 #include "gpu/command_stream.h"
+#include "gpu/vulkan_commands.h"
+#include "gpu/vulkan_pass.h"
 #include "render/font.h"
 
 namespace morphgrid {
@@ -18,16 +20,17 @@ constexpr float kTableSize = 12;
 
 vk::raii::DescriptorPool fontPool(const Device& device) {
   const vk::DescriptorPoolSize size(vk::DescriptorType::eCombinedImageSampler, 1);
-  return {device.handle(), vk::DescriptorPoolCreateInfo(
-                               vk::DescriptorPoolCreateFlagBits::eFreeDescriptorSet, 1, size)};
+  return {
+      device.handles().device,
+      vk::DescriptorPoolCreateInfo(vk::DescriptorPoolCreateFlagBits::eFreeDescriptorSet, 1, size)};
 }
 
 /// Keeps what is there and hands the image to the screen.
-vk::raii::RenderPass overlayPass(const Device& device, vk::Format format) {
+vk::raii::RenderPass overlayPass(const Device& device, ColorFormat format) {
   using Stage = vk::PipelineStageFlagBits;
   using Access = vk::AccessFlagBits;
   const vk::AttachmentDescription attachment(
-      {}, format, vk::SampleCountFlagBits::e1, vk::AttachmentLoadOp::eLoad,
+      {}, vulkanFormat(format), vk::SampleCountFlagBits::e1, vk::AttachmentLoadOp::eLoad,
       vk::AttachmentStoreOp::eStore, vk::AttachmentLoadOp::eDontCare,
       vk::AttachmentStoreOp::eDontCare, vk::ImageLayout::eColorAttachmentOptimal,
       vk::ImageLayout::ePresentSrcKHR);
@@ -36,7 +39,7 @@ vk::raii::RenderPass overlayPass(const Device& device, vk::Format format) {
   const vk::SubpassDependency before(VK_SUBPASS_EXTERNAL, 0, Stage::eColorAttachmentOutput,
                                      Stage::eColorAttachmentOutput, Access::eColorAttachmentWrite,
                                      Access::eColorAttachmentRead | Access::eColorAttachmentWrite);
-  return {device.handle(), vk::RenderPassCreateInfo({}, attachment, subpass, before)};
+  return {device.handles().device, vk::RenderPassCreateInfo({}, attachment, subpass, before)};
 }
 
 void check(VkResult result) {
@@ -77,8 +80,16 @@ void uploadFont(const Device& device) {
 
 }  // namespace
 
-UserInterface::UserInterface(const Device& device, const Window& window, vk::Format format)
-    : device_(device), pool_(fontPool(device)), renderPass_(overlayPass(device, format)) {
+struct UserInterface::Handles {
+  vk::raii::DescriptorPool pool;
+  vk::raii::RenderPass renderPass;
+  std::vector<vk::raii::Framebuffer> framebuffers;
+};
+
+UserInterface::UserInterface(const Device& device, const Window& window, ColorFormat format)
+    : device_(device),
+      handles_(
+          std::make_unique<Handles>(Handles{fontPool(device), overlayPass(device, format), {}})) {
   ImGui::CreateContext();
   try {
     start(window);
@@ -94,17 +105,18 @@ void UserInterface::start(const Window& window) {
   loadFont();
   ImGui_ImplGlfw_InitForVulkan(window.handle(), true);
   ImGui_ImplVulkan_InitInfo info{};
-  info.Instance = *device_.instance();
-  info.PhysicalDevice = *device_.physical();
-  info.Device = *device_.handle();
-  info.QueueFamily = device_.queueFamily();
-  info.Queue = *device_.queue();
-  info.DescriptorPool = *pool_;
+  const DeviceHandles& device = device_.handles();
+  info.Instance = *device.instance;
+  info.PhysicalDevice = *device.physical;
+  info.Device = *device.device;
+  info.QueueFamily = device.queueFamily;
+  info.Queue = *device.queue;
+  info.DescriptorPool = *handles_->pool;
   info.MinImageCount = kFramesInFlight;
   info.ImageCount = kFramesInFlight;
   info.MSAASamples = VK_SAMPLE_COUNT_1_BIT;
   info.CheckVkResultFn = check;
-  ImGui_ImplVulkan_Init(&info, *renderPass_);
+  ImGui_ImplVulkan_Init(&info, *handles_->renderPass);
   uploadFont(device_);
 }
 
@@ -112,20 +124,20 @@ UserInterface::~UserInterface() {
   {
     // What still draws uses the backend's buffers. Vulkan's own function: it does not throw.
     const std::lock_guard lock(device_.queueMutex());
-    device_.handle().getDispatcher()->vkDeviceWaitIdle(*device_.handle());
+    device_.handles().device.getDispatcher()->vkDeviceWaitIdle(*device_.handles().device);
   }
   ImGui_ImplVulkan_Shutdown();
   ImGui_ImplGlfw_Shutdown();
   ImGui::DestroyContext();
 }
 
-void UserInterface::setImages(vk::Extent2D size, const std::vector<vk::ImageView>& images) {
+void UserInterface::setImages(PixelSize size, const std::vector<VkImageView>& images) {
   size_ = size;
-  framebuffers_.clear();
+  handles_->framebuffers.clear();
   for (const vk::ImageView image : images) {
-    framebuffers_.emplace_back(
-        device_.handle(),
-        vk::FramebufferCreateInfo({}, *renderPass_, image, size.width, size.height, 1));
+    handles_->framebuffers.emplace_back(
+        device_.handles().device,
+        vk::FramebufferCreateInfo({}, *handles_->renderPass, image, size.width, size.height, 1));
   }
 }
 
@@ -137,9 +149,10 @@ void UserInterface::build(const std::function<void()>& build) {
   ImGui::Render();
 }
 
-void UserInterface::record(const vk::raii::CommandBuffer& commands, std::size_t image) const {
+void UserInterface::record(const CommandBuffer& commands, std::size_t image) const {
   commands.beginRenderPass(
-      vk::RenderPassBeginInfo(*renderPass_, *framebuffers_.at(image), {{0, 0}, size_}),
+      vk::RenderPassBeginInfo(*handles_->renderPass, *handles_->framebuffers.at(image),
+                              {{0, 0}, {size_.width, size_.height}}),
       vk::SubpassContents::eInline);
   ImGui_ImplVulkan_RenderDrawData(ImGui::GetDrawData(), *commands);
   commands.endRenderPass();

@@ -12,13 +12,13 @@ Image drawOffScreen(const Device& device, const DrawList& list, const SceneSize&
                     const Camera& camera) {
   OffscreenTarget target(device, static_cast<std::uint32_t>(size.width),
                          static_cast<std::uint32_t>(size.height), kPictureSamples);
-  const GridPainter painter(device, target.renderPass(), target.samples());
+  const GridPainter painter(device, target.pass());
   std::vector<std::unique_ptr<GridResources>> resources;
   std::optional<SamplingDrawing> sampling;
   if (const auto& shown = list.sampling()) {
-    sampling.emplace(device, shown->mesh, shown->hits, target.renderPass(), target.samples());
+    sampling.emplace(device, shown->mesh, shown->hits, target.pass());
   }
-  const auto draw = [&](const vk::raii::CommandBuffer& commands) {
+  const auto draw = [&](const CommandBuffer& commands) {
     if (sampling) {
       sampling->draw(commands, camera, size.height);
     }

@@ -91,7 +91,7 @@ class Viewer {
   }
 
   SceneArea area() const {
-    const vk::Extent2D size = presenter_.size();
+    const PixelSize size = presenter_.size();
     const int left =
         state_.showsPanels ? std::min(kPanelWidth, static_cast<int>(size.width) / 2) : 0;
     return {left, 0, std::max(1, static_cast<int>(size.width) - left),
@@ -135,12 +135,11 @@ class Viewer {
 
   bool present() {
     const auto begin = Clock::now();
-    const bool shown =
-        presenter_.present([&](const vk::raii::CommandBuffer& commands, std::size_t image) {
-          scene_.record(commands, image, list_.samples(), list_.grids(), list_.sampling(),
-                        cameraNow(), area());
-          interface_.record(commands, image);
-        });
+    const bool shown = presenter_.present([&](const CommandBuffer& commands, std::size_t image) {
+      scene_.record(commands, image, list_.samples(), list_.grids(), list_.sampling(), cameraNow(),
+                    area());
+      interface_.record(commands, image);
+    });
     presenter_.waitForLast();
     if (!isStill()) {
       list_.noteFrame(secondsBetween(begin, Clock::now()));

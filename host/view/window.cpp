@@ -1,10 +1,12 @@
-#include "view/window.h"  // Vulkan before GLFW: it then declares what needs both.
+#include "view/window.h"
 
 #define GLFW_INCLUDE_NONE
+#define GLFW_INCLUDE_VULKAN
 #include <GLFW/glfw3.h>
 #include <fmt/format.h>
 
 #include "core/error.h"
+#include "gpu/vulkan_device.h"
 
 namespace morphgrid {
 namespace {
@@ -62,15 +64,16 @@ Presentation Window::presentation() {
           }};
 }
 
-vk::raii::SurfaceKHR Window::createSurface(const Device& device) const {
+VkSurfaceKHR Window::createSurface(const Device& device) const {
   VkSurfaceKHR surface = VK_NULL_HANDLE;
-  if (glfwCreateWindowSurface(*device.instance(), window_, nullptr, &surface) != VK_SUCCESS) {
+  if (glfwCreateWindowSurface(*device.handles().instance, window_, nullptr, &surface) !=
+      VK_SUCCESS) {
     failToOpen(lastComplaint());
   }
-  return {device.instance(), surface};
+  return surface;
 }
 
-vk::Extent2D Window::sizeInPixels() const {
+PixelSize Window::sizeInPixels() const {
   int width = 0;
   int height = 0;
   glfwGetFramebufferSize(window_, &width, &height);
@@ -78,7 +81,7 @@ vk::Extent2D Window::sizeInPixels() const {
 }
 
 bool Window::isMinimised() const {
-  const vk::Extent2D size = sizeInPixels();
+  const PixelSize size = sizeInPixels();
   return size.width == 0 || size.height == 0 ||
          glfwGetWindowAttrib(window_, GLFW_ICONIFIED) == GLFW_TRUE;
 }

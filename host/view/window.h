@@ -2,6 +2,7 @@
 #include <string>
 
 #include "gpu/device.h"
+#include "gpu/pixel_size.h"
 
 struct GLFWwindow;
 
@@ -32,10 +33,11 @@ class Window {
   GLFWwindow* handle() const { return window_; }
   /// What a device needs to draw into windows.
   static Presentation presentation();
-  /// Throws DeviceError when Vulkan and the window do not go together.
-  vk::raii::SurfaceKHR createSurface(const Device& device) const;
+  /// For a Presenter, which owns it. Throws DeviceError when Vulkan and the window do not go
+  /// together.
+  VkSurfaceKHR createSurface(const Device& device) const;
 
-  vk::Extent2D sizeInPixels() const;
+  PixelSize sizeInPixels() const;
   bool isMinimised() const;
   bool shouldClose() const;
   void close();

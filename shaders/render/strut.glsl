@@ -3,7 +3,7 @@
 #include "shared/render_types.h"
 #include "shared/solver_types.h"
 #include "shared/topology.h"
-#include "solve/edge.glsl"
+#include "energy/strut.glsl"
 
 layout(binding = kBindingPositions) uniform isamplerBuffer positions;
 layout(push_constant) uniform Push { StrutPush push; };

@@ -28,6 +28,11 @@ CONSTANT uint kBindingMeshTriangles = 1u;  // three vertex indices a triangle
 CONSTANT uint kBindingRayHits = 2u;  // vec4 a ray: where it hit, local; w is 0 where it missed
 CONSTANT uint kBindingBalls = 3u;    // vec4 a ball: its centre, local; w is 0 for a missed ray
 
+// Specialisation constant of struts and surfaces, bool: they show shares, not strains and sides.
+CONSTANT uint kConstantShowsShares = 0u;
+// And of surfaces, bool: others are seen through them.
+CONSTANT uint kConstantIsVeil = 1u;
+
 // A strut drawn as a line.
 CONSTANT uint kVerticesPerLine = 2u;
 

@@ -46,6 +46,13 @@ CONSTANT uint kBindingState = 4u;              // buffer, SolverState
 CONSTANT uint kBindingPartials = 5u;  // buffer, vec4 a workgroup: energy, |g|^2, g.velocity
 CONSTANT uint kBindingSamples = 6u;   // buffer, SolverSample
 
+// Specialisation constants of the kernels that walk columns. The first is that of every kernel
+// whose workgroup is a subgroup.
+CONSTANT uint kConstantSubgroupSize = 0u;
+CONSTANT uint kConstantLayers = 1u;            // 0: known at run time only; works for any number.
+CONSTANT uint kConstantUniformStiffness = 2u;  // bool
+CONSTANT uint kConstantMeasures = 3u;          // bool, of the sweep
+
 // Rest lengths are an ivec4 a vertex: L of its struts to +u, +v and +w in fixed point, and in w the
 // bits of a float: how far the vertex steps per unit of force.
 

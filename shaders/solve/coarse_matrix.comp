@@ -9,7 +9,7 @@
 #include "solve/store_stencil.glsl"
 #include "solve/transfer.glsl"
 
-layout(local_size_x_id = 0) in;
+layout(local_size_x_id = kConstantSubgroupSize) in;
 
 layout(binding = kBindingCoarseCentres, rgba32i) readonly uniform iimageBuffer coarseCentres;
 layout(binding = kBindingLevers, rgba32i) readonly uniform iimageBuffer levers;

@@ -5,7 +5,7 @@
 #extension GL_EXT_control_flow_attributes : require
 #include "shared/multigrid_types.h"
 
-layout(local_size_x_id = 0) in;
+layout(local_size_x_id = kConstantSubgroupSize) in;
 
 layout(binding = kBindingCoarsestInverse, rgba32f) readonly uniform imageBuffer inverse;
 layout(binding = kBindingRightSide, rgba32f) readonly uniform imageBuffer rightSide;

@@ -5,20 +5,18 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_control_flow_attributes : require
+#include "energy/corner.glsl"
+#include "energy/strut.glsl"
 #include "shared/multigrid_types.h"
 #include "solve/block.glsl"
 #include "solve/columns_of_points.glsl"
-#include "solve/corner_derivative.glsl"
 #include "solve/point_rows.glsl"
 #include "solve/store_stencil.glsl"
 
-layout(local_size_x_id = 0) in;
+layout(local_size_x_id = kConstantSubgroupSize) in;
 
 layout(binding = kBindingRest, rgba32i) readonly uniform iimageBuffer restLengths;
 layout(binding = kBindingStiffness, rgba32f) readonly uniform imageBuffer stiffnesses;
-
-// Added to halves of squares: nothing divides by zero where neighbours are missing.
-const float kNoLength = 1e-10;
 
 struct Vertex {
   ivec4 position;
@@ -48,14 +46,12 @@ Motion rowOf(vec3 derivative, Vertex vertex) {
 
 // Neighbours in a ring: previous, apex, next.
 Derivative differentiate(Vertex previous, Vertex apex, Vertex next) {
-  vec3 toNext = between(apex.position, next.position);
-  vec3 toPrevious = between(apex.position, previous.position);
-  CornerDerivative c =
-      differentiateCorner(toNext, toPrevious, 0.5 * dot(toNext, toNext) + kNoLength,
-                          0.5 * dot(toPrevious, toPrevious) + kNoLength);
-  vec3 ofNext = c.h * toPrevious - c.s * toNext;
-  vec3 ofPrevious = c.h * toNext - c.s * toPrevious;
-  return Derivative(push.grid.angleWeight / (c.doubleSquare * c.h),
+  Edge toNext = edgeBetween(apex.position, next.position, push.grid.resolution);
+  Edge toPrevious = edgeBetween(apex.position, previous.position, push.grid.resolution);
+  CornerJacobian j = cornerJacobian(toNext, toPrevious);
+  vec3 ofNext = j.own * toNext.arm + j.other * toPrevious.arm;
+  vec3 ofPrevious = j.own * toPrevious.arm + j.other * toNext.arm;
+  return Derivative(push.grid.angleWeight * j.weight,
                     rowOf(-(ofNext + ofPrevious), apex), rowOf(ofNext, next),
                     rowOf(ofPrevious, previous));
 }
@@ -97,21 +93,19 @@ void addVerticalFace(float share, int layer) {
   addWithinColumns(share * c.weight, sum(c.apex, c.next), c.previous);
 }
 
-// 2 c (n n^T + k (I - n n^T)), k = max(0, 1 - L / l), and the damping.
-mat3 strutHessian(vec3 arm, int from, int axis) {
-  float rest = float(imageLoad(restLengths, from)[axis]) * push.grid.restResolution;
-  float stiffness = imageLoad(stiffnesses, from)[axis];
-  float square = dot(arm, arm) + kNoLength;
-  float stretch = max(0.0, 1.0 - rest * inversesqrt(square));
-  float along = 2.0 * stiffness * (1.0 - stretch) / square;
-  return outerProduct(along * arm, arm) + mat3(2.0 * stiffness * stretch + push.damping);
+// Of the strut that leaves vertex `from` along an axis, with the damping.
+mat3 strutBlock(Edge e, int from, int axis) {
+  Spring spring = Spring(imageLoad(restLengths, from)[axis], push.grid.restResolution,
+                         imageLoad(stiffnesses, from)[axis]);
+  StrutHessian hessian = strutGaussNewtonHessian(e, spring);
+  return outerProduct(hessian.outer * e.arm, e.arm) + mat3(hessian.identity + push.damping);
 }
 
 // Between p and a in one layer.
 void addLateralStrut(float share, int layer, ivec2 from, int axis) {
   Vertex atP = vertexAt(p, layer, centreP), atA = vertexAt(a, layer, centreA);
-  mat3 hessian = strutHessian(between(atP.position, atA.position),
-                              indexInColumn(from, layer), axis);
+  Edge e = edgeBetween(atP.position, atA.position, push.grid.resolution);
+  mat3 hessian = strutBlock(e, indexInColumn(from, layer), axis);
   Block row = withLeverOfRow(atP.lever, Block(hessian, mat3(0), mat3(0), mat3(0)));
   add(withP, share, withLever(row, atP.lever));
   add(withA, -share, withLever(row, atA.lever));
@@ -119,9 +113,10 @@ void addLateralStrut(float share, int layer, ivec2 from, int axis) {
 
 // A vertical strut turns with its column.
 void addVerticalStrut(inout Block block, int layer) {
-  vec3 arm = between(positionAt(p, layer), positionAt(p, layer + 1));
-  mat3 hessian = strutHessian(arm, indexInColumn(p, layer), 2);
-  block.ww += crossed(arm, crossedFromRight(hessian, arm));
+  Edge e =
+      edgeBetween(positionAt(p, layer), positionAt(p, layer + 1), push.grid.resolution);
+  mat3 hessian = strutBlock(e, indexInColumn(p, layer), 2);
+  block.ww += crossed(e.arm, crossedFromRight(hessian, e.arm));
 }
 
 void addFacesAround(inout Stencil stencil, int layer, int quarter) {

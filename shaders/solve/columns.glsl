@@ -1,25 +1,29 @@
 // A walk through the layers of a block of columns: what one invocation of a kernel does that needs the
-// forces of struts and corners at every vertex. Both depend on edges alone: their gradients with respect
-// to the block's edges are added up, each corner projected once, and a vertex takes the difference of
-// the edges that end at it and those that leave it.
+// energy's gradient, or a product of its Hessian, at every vertex. All terms of the energy depend on edges
+// alone: what they add to an edge of the block is summed up, each stencil computed once, and a vertex takes
+// the difference of the edges that end at it and those that leave it.
 // A kernel includes this after it has defined
-//   kBlockU, kBlockV   columns of a block
-//   kMeasure           whether energies are wanted, added up in a Sum
 //   GRID               where its GridPush is
-//   Vertex, Edge       what is known of a vertex and of an edge; kNoEdge: the zero vector
-//   Own                float, or a vector: what corners do to their edges that is the edges' own
-//   Corner             own, other, energy: what it does to its edges, per angle weight
-//   Pull               what a strut does to its edge, with its energy; kNoPull: nothing
+//   DAMPING            weight of every edge in a Laplacian that is added to a Hessian
+//   Sum                the type in which energies are added up
+//   kBlockU, kBlockV   columns of a block
+//   kMeasure           whether energies are wanted
+//   kDerivative        what is added up, see energy/derivative.glsl
 // and defines the functions that are declared below.
 // Loops are unrolled and nothing branches: lavapipe runs both sides of a branch, and keeps what a loop
 // carries in masked memory. They count upwards between constants; of others compilers lose count, and
 // leave these arrays in memory.
 #extension GL_EXT_control_flow_attributes : require
+#if !defined(GRID) || !defined(DAMPING) || !defined(Sum)
+#error define GRID, DAMPING and Sum before the walk
+#endif
+#include "energy/corner.glsl"
+#include "energy/strut.glsl"
 #include "shared/topology.h"
 
-layout(local_size_x_id = 0) in;  // A subgroup: a part of a row of blocks.
-layout(constant_id = 1) const int kLayers = 0;  // 0: known at run time only; works for any number.
-layout(constant_id = 2) const bool kUniformStiffness = false;
+layout(local_size_x_id = kConstantSubgroupSize) in;  // A part of a row of blocks.
+layout(constant_id = kConstantLayers) const int kLayers = 0;
+layout(constant_id = kConstantUniformStiffness) const bool kUniformStiffness = false;
 
 // Images, although nothing is stored through them: lavapipe inlines their loads, but calls a function
 // for texelFetch.
@@ -27,52 +31,59 @@ layout(binding = kBindingPositions, rgba32i) readonly uniform iimageBuffer posit
 layout(binding = kBindingRest, rgba32i) readonly uniform iimageBuffer restLengths;
 layout(binding = kBindingStiffness, rgba32f) readonly uniform imageBuffer stiffnesses;
 
-// Gradient of the corners with respect to an edge: per angle weight, what `own` makes of the edge and
-// the others.
-struct Turn {
-  Own own;
-  vec3 others;
+struct Vertex {
+  ivec4 position;
+  vec3 motion;  // z of products, else 0.
 };
-const Turn kNoTurn = Turn(Own(0), vec3(0));
 
 Vertex vertexAt(int index);
-Edge edgeBetween(Vertex from, Vertex to);
-Corner cornerOf(Edge a, Edge b);
-// What a corner adds to the gradient with respect to the one edge because of the other.
-vec3 othersOf(Corner corner, Edge other);
-Pull pullOf(Edge e, int rest, float stiffness);
-vec3 edgeGradient(Edge e, Pull pull, Turn turn);
 // The vertex's gradient is complete; what is not `owned` must not be stored.
 void finish(int index, bool owned, Vertex vertex, vec3 gradient, float stepPerForce);
 
-// The block's columns are [1..kBlockV][1..kBlockU] of a ring that holds their neighbours too.
-const int kRingU = kBlockU + 2;
-const int kRingV = kBlockV + 2;
-#define FOR_RING(v, u) \
-  [[unroll]] for (int v = 0; v < kRingV; ++v) [[unroll]] for (int u = 0; u < kRingU; ++u)
-#define FOR_BLOCK(v, u) \
-  [[unroll]] for (int v = 1; v <= kBlockV; ++v) [[unroll]] for (int u = 1; u <= kBlockU; ++u)
+// What the terms add to the gradient with respect to an edge. The factors are those of the edge and of its
+// change (energy/edge.glsl); corners count per angle weight.
+struct EdgeSum {
+  vec2 strut;
+  vec2 corners;
+  vec3 otherEdges;  // What corners add along their other edges.
+};
 
-// What a vertex needs of its own until its gradient is complete.
-struct Pending {
+// A vertex until its gradient is complete.
+struct VertexSum {
   Vertex vertex;
   vec3 gradient;
   float stepPerForce;
 };
 
-// Whether there may be vertical edges, as far as is known when the kernel is compiled; missing ones are
-// zero vectors.
+const EdgeSum kNoSum = EdgeSum(vec2(0), vec2(0), vec3(0));
+
+// The block's columns are [1..kBlockV][1..kBlockU] of a ring that holds their neighbours too.
+const int kRingU = kBlockU + 2;
+const int kRingV = kBlockV + 2;
+#define FOR_RANGE(v, firstV, lastV, u, firstU, lastU)     \
+  [[unroll]] for (int v = (firstV); v <= (lastV); ++v)    \
+      [[unroll]] for (int u = (firstU); u <= (lastU); ++u)
+#define FOR_RING(v, u) FOR_RANGE(v, 0, kBlockV + 1, u, 0, kBlockU + 1)
+#define FOR_BLOCK(v, u) FOR_RANGE(v, 1, kBlockV, u, 1, kBlockU)
+// The edges to +u, and to +v, that begin or end in the block.
+#define FOR_EAST(v, u) FOR_RANGE(v, 1, kBlockV, u, 0, kBlockU)
+#define FOR_NORTH(v, u) FOR_RANGE(v, 0, kBlockV, u, 1, kBlockU)
+// The cells around the block's columns; they are called as the vertex with the lowest indices.
+#define FOR_CELLS(v, u) FOR_RANGE(v, 0, kBlockV, u, 0, kBlockU)
+
+// Whether there may be vertical edges, as far as is known when the kernel is compiled.
 bool mayHaveUp, mayHaveDown;
 int ringIndex[kRingV][kRingU];  // of the bottom layer's vertices
-bool owned[kRingV][kRingU];     // whether the column is in the grid, and its vertices may be stored
+bool owned[kRingV][kRingU];     // whether the column exists, is the block's, and may be stored
 
 // The layer at hand; [v][u] is the vertex that an edge leaves.
 Vertex here[kRingV][kRingU], above[kRingV][kRingU];
 Edge east[kRingV][kRingU], north[kRingV][kRingU], up[kRingV][kRingU], down[kRingV][kRingU];
-Turn eastTurn[kRingV][kRingU], northTurn[kRingV][kRingU];
-Turn upTurn[kRingV][kRingU], downTurn[kRingV][kRingU];
-Pull upPull[kRingV][kRingU], downPull[kRingV][kRingU];
-Pending pending[kRingV][kRingU], pendingBelow[kRingV][kRingU];
+EdgeSum eastSum[kRingV][kRingU], northSum[kRingV][kRingU];
+EdgeSum upSum[kRingV][kRingU], downSum[kRingV][kRingU];
+ivec4 rest[kRingV][kRingU];
+vec3 stiffness[kRingV][kRingU];
+VertexSum vertexSum[kRingV][kRingU], vertexSumBelow[kRingV][kRingU];
 
 Sum energy = Sum(0);  // of the block's own struts and apexes
 
@@ -82,95 +93,82 @@ void findRing(bool mayStore) {
   FOR_RING(v, u) {
     ivec2 column = first + ivec2(u, v);
     ringIndex[v][u] = pointIndex(ivec2(GRID.size), nearestPoint(ivec2(GRID.size), column));
-    owned[v][u] = mayStore && hasColumn(GRID.size, column);
+    owned[v][u] = false;
   }
+  FOR_BLOCK(v, u) { owned[v][u] = mayStore && hasColumn(GRID.size, first + ivec2(u, v)); }
+}
+
+Edge edgeBetween(Vertex from, Vertex to) {
+  vec3 change = kDerivative == kGradient ? vec3(0) : to.motion - from.motion;
+  return edgeOf(armBetween(from.position, to.position, GRID.resolution), change);
 }
 
 void layEdges() {
+  FOR_RANGE(v, 0, kBlockV + 1, u, 0, kBlockU) {
+    east[v][u] = edgeBetween(here[v][u], here[v][u + 1]);
+    eastSum[v][u] = kNoSum;
+  }
+  FOR_RANGE(v, 0, kBlockV, u, 0, kBlockU + 1) {
+    north[v][u] = edgeBetween(here[v][u], here[v + 1][u]);
+    northSum[v][u] = kNoSum;
+  }
   FOR_RING(v, u) {
-    if (u + 1 < kRingU) {
-      east[v][u] = edgeBetween(here[v][u], here[v][u + 1]);
-    }
-    if (v + 1 < kRingV) {
-      north[v][u] = edgeBetween(here[v][u], here[v + 1][u]);
-    }
     up[v][u] = edgeBetween(here[v][u], above[v][u]);
-    eastTurn[v][u] = northTurn[v][u] = upTurn[v][u] = kNoTurn;
+    upSum[v][u] = kNoSum;
   }
 }
 
-// A corner at a vertex of the block: both its edges are the block's.
-void turnBoth(bool counted, Edge a, Edge b, inout Turn turnOfA, inout Turn turnOfB) {
-  Corner corner = cornerOf(a, b);
-  turnOfA.own += corner.own;
-  turnOfB.own += corner.own;
-  turnOfA.others += othersOf(corner, b);
-  turnOfB.others += othersOf(corner, a);
+void addEnergy(bool counted, Squared term) {
   if (kMeasure) {
-    energy += counted ? Sum(GRID.angleWeight * corner.energy) : Sum(0);
+    energy += counted ? Sum(term) : Sum(0);
   }
 }
 
-// A corner at a neighbour of the block: only the edge a leads to the block.
-void turnOne(Edge a, Edge b, inout Turn turnOfA) {
-  Corner corner = cornerOf(a, b);
-  turnOfA.own += corner.own;
-  turnOfA.others += othersOf(corner, b);
+void addCorner(bool counted, Edge a, Edge b, inout EdgeSum sumOfA, inout EdgeSum sumOfB) {
+  CornerGradient corner = cornerTerm(kDerivative, a, b);
+  sumOfA.corners += corner.diagonal;
+  sumOfB.corners += corner.diagonal;
+  sumOfA.otherEdges += scaled(b, corner.coupling);
+  sumOfB.otherEdges += scaled(a, corner.coupling);
+  addEnergy(counted, GRID.angleWeight * corner.energy);
 }
 
-void turnWithin() {
-  FOR_BLOCK(v, u) {
-    bool counted = owned[v][u];
-    [[unroll]] for (int side = 0; side < 2; ++side) {
-      int w = u - side;  // the edge to the east, then to the west
-      int s = v - side;
-      turnBoth(counted, east[v][w], north[v - 1][u], eastTurn[v][w], northTurn[v - 1][u]);
-      turnBoth(counted, east[v][w], north[v][u], eastTurn[v][w], northTurn[v][u]);
-      if (mayHaveUp) {
-        turnBoth(counted, east[v][w], up[v][u], eastTurn[v][w], upTurn[v][u]);
-        turnBoth(counted, north[s][u], up[v][u], northTurn[s][u], upTurn[v][u]);
-      }
-      if (mayHaveDown) {
-        turnBoth(counted, east[v][w], down[v][u], eastTurn[v][w], downTurn[v][u]);
-        turnBoth(counted, north[s][u], down[v][u], northTurn[s][u], downTurn[v][u]);
-      }
-    }
-  }
+// The corners of a cell in the layer: four edges, an apex at each end.
+void addCellCorners(int v, int u) {
+  addCorner(owned[v][u], east[v][u], north[v][u], eastSum[v][u], northSum[v][u]);
+  addCorner(owned[v][u + 1], east[v][u], north[v][u + 1], eastSum[v][u], northSum[v][u + 1]);
+  addCorner(owned[v + 1][u], east[v + 1][u], north[v][u], eastSum[v + 1][u], northSum[v][u]);
+  addCorner(owned[v + 1][u + 1], east[v + 1][u], north[v][u + 1], eastSum[v + 1][u],
+            northSum[v][u + 1]);
 }
 
-// The corners at an apex outside of the block; `a` leads from there to the block.
-void turnOutside(ivec2 apex, Edge a, Edge before, Edge after, inout Turn turn) {
-  turnOne(a, before, turn);
-  turnOne(a, after, turn);
+// The corners of a lateral edge with the vertical ones at [v][u].
+void addUprightCorners(int v, int u, Edge lateral, inout EdgeSum sum) {
   if (mayHaveUp) {
-    turnOne(a, up[apex.y][apex.x], turn);
+    addCorner(owned[v][u], lateral, up[v][u], sum, upSum[v][u]);
   }
   if (mayHaveDown) {
-    turnOne(a, down[apex.y][apex.x], turn);
+    addCorner(owned[v][u], lateral, down[v][u], sum, downSum[v][u]);
   }
 }
 
-void turnAround() {
-  [[unroll]] for (int side = 0; side < 2; ++side) {
-    int apexU = side * (kRingU - 1), edgeU = side * kBlockU;
-    [[unroll]] for (int v = 1; v <= kBlockV; ++v) {
-      turnOutside(ivec2(apexU, v), east[v][edgeU], north[v - 1][apexU], north[v][apexU],
-                  eastTurn[v][edgeU]);
-    }
-    int apexV = side * (kRingV - 1), edgeV = side * kBlockV;
-    [[unroll]] for (int u = 1; u <= kBlockU; ++u) {
-      turnOutside(ivec2(u, apexV), north[edgeV][u], east[apexV][u - 1], east[apexV][u],
-                  northTurn[edgeV][u]);
-    }
+// What they add to edges outside of the block is never read: compilers drop it.
+void addCorners() {
+  FOR_CELLS(v, u) { addCellCorners(v, u); }
+  FOR_EAST(v, u) {
+    addUprightCorners(v, u, east[v][u], eastSum[v][u]);
+    addUprightCorners(v, u + 1, east[v][u], eastSum[v][u]);
+  }
+  FOR_NORTH(v, u) {
+    addUprightCorners(v, u, north[v][u], northSum[v][u]);
+    addUprightCorners(v + 1, u, north[v][u], northSum[v][u]);
   }
 }
 
-Pull strutPull(bool counted, Edge e, int rest, float stiffness) {
-  Pull pull = pullOf(e, rest, stiffness);
-  if (kMeasure) {
-    energy += counted ? Sum(pull.energy) : Sum(0);
-  }
-  return pull;
+void addStrut(bool counted, Edge e, int rest, float stiffness, inout EdgeSum sum) {
+  StrutGradient strut = strutTerm(kDerivative, e, Spring(rest, GRID.restResolution, stiffness));
+  sum.strut += strut.diagonal;
+  addEnergy(counted, strut.energy);
 }
 
 vec3 stiffnessAt(int index) {
@@ -179,66 +177,66 @@ vec3 stiffnessAt(int index) {
              : imageLoad(stiffnesses, index).xyz;
 }
 
-// The edge east of [v][u] pulls both its ends.
-void pullEast(int v, int u, bool counted, int rest, float stiffness) {
-  Pull pull = strutPull(counted, east[v][u], rest, stiffness);
-  vec3 gradient = edgeGradient(east[v][u], pull, eastTurn[v][u]);
-  pending[v][u].gradient -= gradient;
-  pending[v][u + 1].gradient += gradient;
+void addStruts(int start) {
+  FOR_CELLS(v, u) {
+    rest[v][u] = imageLoad(restLengths, start + ringIndex[v][u]);
+    stiffness[v][u] = stiffnessAt(start + ringIndex[v][u]);
+  }
+  FOR_EAST(v, u) {
+    addStrut(owned[v][u], east[v][u], rest[v][u].x, stiffness[v][u].x, eastSum[v][u]);
+  }
+  FOR_NORTH(v, u) {
+    addStrut(owned[v][u], north[v][u], rest[v][u].y, stiffness[v][u].y, northSum[v][u]);
+  }
+  FOR_BLOCK(v, u) {
+    addStrut(owned[v][u], up[v][u], rest[v][u].z, stiffness[v][u].z, upSum[v][u]);
+  }
 }
 
-void pullNorth(int v, int u, bool counted, int rest, float stiffness) {
-  Pull pull = strutPull(counted, north[v][u], rest, stiffness);
-  vec3 gradient = edgeGradient(north[v][u], pull, northTurn[v][u]);
-  pending[v][u].gradient -= gradient;
-  pending[v + 1][u].gradient += gradient;
+// The gradient with respect to an edge, at its ends.
+void addToEnds(Edge e, EdgeSum sum, inout VertexSum from, inout VertexSum to) {
+  vec2 factors = sum.strut + vec2(0, DAMPING) + GRID.angleWeight * sum.corners;
+  vec3 gradient = scaled(e, factors) + GRID.angleWeight * sum.otherEdges;
+  from.gradient -= gradient;
+  to.gradient += gradient;
 }
 
 // Vertical edges wait for the corners of the layer above.
-void pullLayer(int start) {
-  FOR_RING(v, u) { pending[v][u] = Pending(here[v][u], vec3(0), 0.0); }
-  FOR_BLOCK(v, u) {
-    ivec4 rest = imageLoad(restLengths, start + ringIndex[v][u]);
-    vec3 stiffness = stiffnessAt(start + ringIndex[v][u]);
-    pending[v][u].stepPerForce = intBitsToFloat(rest.w);
-    pullEast(v, u, owned[v][u], rest.x, stiffness.x);
-    pullNorth(v, u, owned[v][u], rest.y, stiffness.y);
-    upPull[v][u] = strutPull(owned[v][u], up[v][u], rest.z, stiffness.z);
+void addLayer(int start) {
+  layEdges();
+  addCorners();
+  addStruts(start);
+  FOR_RING(v, u) { vertexSum[v][u] = VertexSum(here[v][u], vec3(0), 0.0); }
+  FOR_BLOCK(v, u) { vertexSum[v][u].stepPerForce = intBitsToFloat(rest[v][u].w); }
+  FOR_EAST(v, u) {
+    addToEnds(east[v][u], eastSum[v][u], vertexSum[v][u], vertexSum[v][u + 1]);
   }
-  [[unroll]] for (int v = 1; v <= kBlockV; ++v) {
-    int west = start + ringIndex[v][0];
-    pullEast(v, 0, false, imageLoad(restLengths, west).x, stiffnessAt(west).x);
-  }
-  [[unroll]] for (int u = 1; u <= kBlockU; ++u) {
-    int south = start + ringIndex[0][u];
-    pullNorth(0, u, false, imageLoad(restLengths, south).y, stiffnessAt(south).y);
+  FOR_NORTH(v, u) {
+    addToEnds(north[v][u], northSum[v][u], vertexSum[v][u], vertexSum[v + 1][u]);
   }
 }
 
-void finishPending(int index, bool mayStore, Pending p) {
-  finish(index, mayStore, p.vertex, p.gradient, p.stepPerForce);
+void finishSum(int index, bool mayStore, VertexSum sum) {
+  finish(index, mayStore, sum.vertex, sum.gradient, sum.stepPerForce);
 }
 
-// The layer below is complete once the corners of this one have turned the edges between them.
+// The layer below is complete once the corners of this one have been added to the edges between them.
 void finishBelow(int startOfLayerBelow) {
   FOR_BLOCK(v, u) {
-    vec3 gradient = edgeGradient(down[v][u], downPull[v][u], downTurn[v][u]);
-    pendingBelow[v][u].gradient -= gradient;
-    pending[v][u].gradient += gradient;
-    finishPending(startOfLayerBelow + ringIndex[v][u], owned[v][u], pendingBelow[v][u]);
+    addToEnds(down[v][u], downSum[v][u], vertexSumBelow[v][u], vertexSum[v][u]);
+    finishSum(startOfLayerBelow + ringIndex[v][u], owned[v][u], vertexSumBelow[v][u]);
   }
 }
 
 void finishTop(int start) {
-  FOR_BLOCK(v, u) { finishPending(start + ringIndex[v][u], owned[v][u], pending[v][u]); }
+  FOR_BLOCK(v, u) { finishSum(start + ringIndex[v][u], owned[v][u], vertexSum[v][u]); }
 }
 
 void goUp() {
   here = above;
   down = up;
-  downTurn = upTurn;
-  downPull = upPull;
-  pendingBelow = pending;
+  downSum = upSum;
+  vertexSumBelow = vertexSum;
 }
 
 void walkColumns() {
@@ -246,9 +244,8 @@ void walkColumns() {
   int layerLength = GRID.size.x * GRID.size.y;
   FOR_RING(v, u) {
     here[v][u] = vertexAt(ringIndex[v][u]);
-    down[v][u] = kNoEdge;
-    downTurn[v][u] = kNoTurn;
-    downPull[v][u] = kNoPull;
+    down[v][u] = edgeOf(Arm(0), vec3(0));
+    downSum[v][u] = kNoSum;
   }
   [[unroll]] for (int layer = 0; layer < layers; ++layer) {
     int start = layer * layerLength;
@@ -259,10 +256,7 @@ void walkColumns() {
     FOR_RING(v, u) {
       above[v][u] = mayHaveUp ? vertexAt(startAbove + ringIndex[v][u]) : here[v][u];
     }
-    layEdges();
-    turnWithin();
-    turnAround();
-    pullLayer(start);
+    addLayer(start);
     if (layer > 0) {
       finishBelow(start - layerLength);
     }

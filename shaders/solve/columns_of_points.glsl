@@ -1,7 +1,7 @@
 // Level 1: a column of vertices moves rigidly about its centre, the vertex in the middle layer:
 // u(x) = t + w x (x - centre).
 #include "shared/topology.h"
-#include "solve/arm.glsl"
+#include "energy/arm.glsl"
 
 layout(binding = kBindingPositions, rgba32i) readonly uniform iimageBuffer positions;
 layout(push_constant) uniform Push { ColumnPush push; };

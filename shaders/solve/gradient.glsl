@@ -1,7 +1,9 @@
 // Energy and its gradient. Lengths in spacings, energies in stiffness x spacing^2.
+#include "energy/derivative.glsl"
 #include "shared/hessian_types.h"
 #include "solve/float_pairs.glsl"
 
+const int kDerivative = kGradient;
 const bool kMeasure = true;
 
 layout(std430, binding = kBindingResult) writeonly buffer Result { vec4 gradients[]; };
@@ -9,18 +11,21 @@ layout(std430, binding = kBindingPartials) writeonly buffer Partials { vec4 part
 layout(push_constant) uniform Push { GridPush push; };
 
 #define GRID push
+#define DAMPING 0.0
 #ifdef PRECISE
 #define Sum double
 #else
 #define Sum float
 #endif
-#include "solve/energy_edges.glsl"
+#include "solve/columns.glsl"
 
 shared vec4 sums[kLargestSubgroup];
 
 Sum squaredGradient = Sum(0);
 
-void finish(int index, bool owned, Vertex position, vec3 gradient, float stepPerForce) {
+Vertex vertexAt(int index) { return Vertex(imageLoad(positions, index), vec3(0)); }
+
+void finish(int index, bool owned, Vertex vertex, vec3 gradient, float stepPerForce) {
   if (owned) {
     gradients[index] = vec4(gradient, 0.0);
   }

@@ -5,11 +5,11 @@
 #extension GL_EXT_control_flow_attributes : require
 #include "shared/hessian_types.h"
 #include "shared/topology.h"
-#include "solve/arm.glsl"
-#include "solve/corner_derivative.glsl"
+#include "energy/corner.glsl"
+#include "energy/strut.glsl"
 #include "solve/symmetric_inverse.glsl"
 
-layout(local_size_x_id = 0) in;
+layout(local_size_x_id = kConstantSubgroupSize) in;
 
 layout(binding = kBindingPositions, rgba32i) readonly uniform iimageBuffer positions;
 layout(binding = kBindingRest, rgba32i) readonly uniform iimageBuffer restLengths;
@@ -31,8 +31,8 @@ int indexOf(ivec3 v) { return vertexIndex(push.grid.size, v); }
 
 ivec4 positionAt(ivec3 v) { return imageLoad(positions, indexOf(v)); }
 
-vec3 armBetween(ivec3 from, ivec3 to) {
-  return armBetween(positionAt(from), positionAt(to), push.grid.resolution);
+Edge edgeBetween(ivec3 from, ivec3 to) {
+  return edgeBetween(positionAt(from), positionAt(to), push.grid.resolution);
 }
 
 void addOuter(float weight, vec3 j) {
@@ -45,25 +45,24 @@ void addStrut(ivec3 from, int axis) {
   if (!hasStrut(push.grid.size, from, axis)) {
     return;
   }
-  vec3 arm = armBetween(from, neighbour(from, axis, 1));
-  float rest = float(imageLoad(restLengths, indexOf(from))[axis]) * push.grid.restResolution;
-  float stiffness = imageLoad(stiffnesses, indexOf(from))[axis];
-  float square = dot(arm, arm) + 1e-20;
-  float stretch = max(0.0, 1.0 - rest * inversesqrt(square));
-  addOuter(2.0 * stiffness * (1.0 - stretch) / square, arm);
-  block.diagonal += 2.0 * stiffness * stretch + push.damping;
+  Edge e = edgeBetween(from, neighbour(from, axis, 1));
+  Spring spring = Spring(imageLoad(restLengths, indexOf(from))[axis], push.grid.restResolution,
+                         imageLoad(stiffnesses, indexOf(from))[axis]);
+  StrutHessian hessian = strutGaussNewtonHessian(e, spring);
+  addOuter(hessian.outer, e.arm);
+  block.diagonal += hessian.identity + push.damping;
 }
 
 void addCorner(ivec3 apex, ivec3 armEnd, ivec3 otherEnd) {
   if (!hasCorner(push.grid.size, armEnd, otherEnd)) {
     return;
   }
-  vec3 a = armBetween(apex, armEnd);
-  vec3 b = armBetween(apex, otherEnd);
-  CornerDerivative d =
-      differentiateCorner(a, b, 0.5 * dot(a, a) + 1e-10, 0.5 * dot(b, b) + 1e-10);
-  vec3 derivative = vertex == apex ? (d.h - d.s) * (a + b) : d.h * b - d.s * a;
-  addOuter(push.grid.angleWeight / (d.doubleSquare * d.h), derivative);
+  Edge a = edgeBetween(apex, armEnd);
+  Edge b = edgeBetween(apex, otherEnd);
+  CornerJacobian j = cornerJacobian(a, b);
+  vec3 atEnd = j.own * a.arm + j.other * b.arm;
+  vec3 atOtherEnd = j.own * b.arm + j.other * a.arm;
+  addOuter(push.grid.angleWeight * j.weight, vertex == apex ? atEnd + atOtherEnd : atEnd);
 }
 
 // The corners whose apex is the vertex, and those at its neighbours with it as an end.

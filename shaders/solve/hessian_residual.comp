@@ -1,6 +1,8 @@
-// r = b - H z.
+// r = b - H z, H the Gauss-Newton Hessian.
 #version 450
 #extension GL_GOOGLE_include_directive : require
+#include "energy/derivative.glsl"
+const int kDerivative = kGaussNewtonProduct;
 #include "solve/hessian.glsl"
 
 layout(binding = kBindingRightSide, rgba32f) readonly uniform imageBuffer rightSide;

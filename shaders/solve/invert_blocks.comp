@@ -7,7 +7,7 @@
 #include "solve/point_rows.glsl"
 #include "solve/symmetric_inverse.glsl"
 
-layout(local_size_x_id = 0) in;
+layout(local_size_x_id = kConstantSubgroupSize) in;
 
 layout(binding = kBindingMatrix + 0u, rgba32f) readonly uniform imageBuffer self0;
 layout(binding = kBindingMatrix + 1u, rgba32f) readonly uniform imageBuffer self1;

@@ -2,7 +2,7 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 #include "shared/lbfgs_types.h"
-#include "solve/arm.glsl"
+#include "energy/arm.glsl"
 
 layout(local_size_x = kVectorInvocations) in;
 

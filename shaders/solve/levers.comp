@@ -5,7 +5,7 @@
 #include "shared/multigrid_types.h"
 #include "solve/transfer.glsl"
 
-layout(local_size_x_id = 0) in;
+layout(local_size_x_id = kConstantSubgroupSize) in;
 
 layout(binding = kBindingCentres, rgba32i) readonly uniform iimageBuffer centres;
 layout(std430, binding = kBindingCoarseCentres) writeonly buffer Coarse { ivec4 coarseCentres[]; };

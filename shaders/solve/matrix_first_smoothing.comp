@@ -6,7 +6,7 @@
 #include "solve/block.glsl"
 #include "solve/point_rows.glsl"
 
-layout(local_size_x_id = 0) in;
+layout(local_size_x_id = kConstantSubgroupSize) in;
 
 layout(binding = kBindingInverse + 0u, rgba32f) readonly uniform imageBuffer inverse0;
 layout(binding = kBindingInverse + 1u, rgba32f) readonly uniform imageBuffer inverse1;

@@ -6,7 +6,7 @@
 #include "solve/matrix_product.glsl"
 #include "solve/point_rows.glsl"
 
-layout(local_size_x_id = 0) in;
+layout(local_size_x_id = kConstantSubgroupSize) in;
 
 void main() {
   matrixSize = push.size;

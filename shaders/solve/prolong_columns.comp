@@ -6,7 +6,7 @@
 #include "solve/block.glsl"
 #include "solve/columns_of_points.glsl"
 
-layout(local_size_x_id = 0) in;
+layout(local_size_x_id = kConstantSubgroupSize) in;
 
 layout(binding = kBindingCoarseVector, rgba32f) readonly uniform imageBuffer motions;
 // One buffer twice: loads of texels are the faster ones.

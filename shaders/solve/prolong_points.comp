@@ -7,7 +7,7 @@
 #include "solve/point_rows.glsl"
 #include "solve/transfer.glsl"
 
-layout(local_size_x_id = 0) in;
+layout(local_size_x_id = kConstantSubgroupSize) in;
 
 layout(binding = kBindingCoarseVector, rgba32f) readonly uniform imageBuffer coarseVector;
 layout(binding = kBindingCoarseCentres, rgba32i) readonly uniform iimageBuffer coarseCentres;

@@ -7,7 +7,7 @@
 #include "solve/columns_of_points.glsl"
 #include "solve/point_rows.glsl"
 
-layout(local_size_x_id = 0) in;
+layout(local_size_x_id = kConstantSubgroupSize) in;
 
 layout(binding = kBindingFineVector, rgba32f) readonly uniform imageBuffer forces;
 layout(std430, binding = kBindingResult) writeonly buffer Result { vec4 result[]; };

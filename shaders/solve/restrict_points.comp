@@ -8,7 +8,7 @@
 #include "solve/point_rows.glsl"
 #include "solve/transfer.glsl"
 
-layout(local_size_x_id = 0) in;
+layout(local_size_x_id = kConstantSubgroupSize) in;
 
 layout(binding = kBindingFineVector, rgba32f) readonly uniform imageBuffer fineVector;
 layout(binding = kBindingCoarseCentres, rgba32i) readonly uniform iimageBuffer coarseCentres;

@@ -1,8 +1,11 @@
 // One sweep of Jacobi-style projective dynamics with Chebyshev acceleration: every strut and corner is
 // projected, every vertex takes the weighted mean of what its constraints want.
+#include "energy/derivative.glsl"
 #include "shared/solver_types.h"
 
-layout(constant_id = 3) const bool kMeasure = false;
+const int kDerivative = kGradient;
+
+layout(constant_id = kConstantMeasures) const bool kMeasure = false;
 
 // One buffer twice, as loads of texels are the faster ones. A vertex's entry is loaded, then stored, by
 // the one invocation that moves the vertex.
@@ -13,8 +16,9 @@ layout(std430, binding = kBindingPartials) writeonly buffer Partials { vec4 part
 layout(push_constant) uniform Push { SweepPush push; };
 
 #define GRID push.grid
+#define DAMPING 0.0
 #define Sum float
-#include "solve/energy_edges.glsl"
+#include "solve/columns.glsl"
 
 shared vec4 sums[kLargestSubgroup];
 
@@ -33,11 +37,13 @@ float chebyshevMomentum() {
   return root * root;
 }
 
-void finish(int index, bool owned, Vertex position, vec3 gradient, float stepPerForce) {
-  vec3 velocity = stepsBetween(imageLoad(previous, index), position);
+Vertex vertexAt(int index) { return Vertex(imageLoad(positions, index), vec3(0)); }
+
+void finish(int index, bool owned, Vertex vertex, vec3 gradient, float stepPerForce) {
+  vec3 velocity = stepsBetween(imageLoad(previous, index), vertex.position);
   vec3 jump = -(1.0 + momentum) * kRelaxation * stepPerForce / GRID.resolution * gradient;
   float largest = kLargestMove / GRID.resolution;
-  ivec4 target = moved(position, clamp(momentum * velocity + jump, -largest, largest));
+  ivec4 target = moved(vertex.position, clamp(momentum * velocity + jump, -largest, largest));
   if (owned) {
     next[index] = target;
   }

@@ -19,28 +19,41 @@ std::vector<ConvergenceSample> sampleHistory() {
   return {{1, 2.5, 0.1, 0.25, 0.125}, {2, 1.0 / 3, 1e-9, 0.5, 1}};
 }
 
+Equilibrium sampleEquilibrium(int vertices) {
+  Equilibrium equilibrium;
+  equilibrium.positions = Eigen::Matrix3Xd::Random(3, vertices);
+  equilibrium.iterations = 12;
+  equilibrium.converged = true;
+  equilibrium.reason = StopReason::energy;
+  equilibrium.residual = 1.0 / 7;
+  equilibrium.energy = 1.0 / 9;
+  equilibrium.seconds = 3;
+  equilibrium.history = sampleHistory();
+  return equilibrium;
+}
+
 Checkpoint sampleCheckpoint() {
   Checkpoint checkpoint;
-  checkpoint.settings = {{"layers", "3"}, {"nodes", "4 x 5"}};
-  checkpoint.solve.phase = 2;
-  checkpoint.solve.positions = Eigen::Matrix3Xd::Random(3, 7);
-  checkpoint.solve.iterations = 17.0 / 3;
-  checkpoint.solve.seconds = 0.1;
-  checkpoint.solve.history = sampleHistory();
+  checkpoint.problem = {"0123", {{"layers", "3"}, {"nodes", "4 x 5"}}};
+  checkpoint.solve =
+      SolveCheckpoint{2, Eigen::Matrix3Xd::Random(3, 7), 17.0 / 3, 0.1, sampleHistory()};
   return checkpoint;
 }
 
-Checkpoint sampleWithInPlane() {
+Checkpoint sampleInInverseDesign() {
   Checkpoint checkpoint = sampleCheckpoint();
-  Equilibrium& inPlane = checkpoint.inPlane.emplace();
-  inPlane.positions = Eigen::Matrix3Xd::Random(3, 5);
-  inPlane.iterations = 12;
-  inPlane.converged = true;
-  inPlane.reason = StopReason::energy;
-  inPlane.residual = 1.0 / 7;
-  inPlane.energy = 1.0 / 9;
-  inPlane.seconds = 3;
-  inPlane.history = sampleHistory();
+  checkpoint.solve.reset();
+  checkpoint.inPlane = sampleEquilibrium(5);
+  checkpoint.full = sampleEquilibrium(7);
+  InverseCheckpoint& inverse = checkpoint.inverse.emplace();
+  inverse.compensated = true;
+  inverse.present = {Eigen::VectorXd::Random(8), sampleEquilibrium(7)};
+  inverse.kept = {Eigen::VectorXd::Random(8), sampleEquilibrium(7)};
+  inverse.keptSteps = 1;
+  inverse.steps = {{InverseStep::Kind::design, 0, 3.5, 7.25, 40, 3, 12, 0, 0.5},
+                   {InverseStep::Kind::optimise, 1, 1.0 / 3, 0.5, 39, 0, 7, 6, 0.75}};
+  inverse.objectives = {0.25};
+  inverse.pairs = {{Eigen::VectorXd::Random(8), Eigen::VectorXd::Random(8)}};
   return checkpoint;
 }
 
@@ -53,6 +66,29 @@ void expectSame(const std::vector<ConvergenceSample>& a, const std::vector<Conve
     EXPECT_EQ(a[n].seconds, b[n].seconds);
     EXPECT_EQ(a[n].gridShare, b[n].gridShare);
   }
+}
+
+void expectSame(const Equilibrium& a, const Equilibrium& b) {
+  EXPECT_EQ(a.positions, b.positions);
+  EXPECT_EQ(a.iterations, b.iterations);
+  EXPECT_EQ(a.converged, b.converged);
+  EXPECT_EQ(a.reason, b.reason);
+  EXPECT_EQ(a.residual, b.residual);
+  EXPECT_EQ(a.energy, b.energy);
+  EXPECT_EQ(a.seconds, b.seconds);
+  expectSame(a.history, b.history);
+}
+
+void expectSame(const InverseStep& a, const InverseStep& b) {
+  EXPECT_EQ(a.kind, b.kind);
+  EXPECT_EQ(a.number, b.number);
+  EXPECT_EQ(a.rmsPercent, b.rmsPercent);
+  EXPECT_EQ(a.maxPercent, b.maxPercent);
+  EXPECT_EQ(a.largestShrinkPercent, b.largestShrinkPercent);
+  EXPECT_EQ(a.strutsAtBound, b.strutsAtBound);
+  EXPECT_EQ(a.cycles, b.cycles);
+  EXPECT_EQ(a.adjointProducts, b.adjointProducts);
+  EXPECT_EQ(a.seconds, b.seconds);
 }
 
 class CheckpointFile : public testing::Test {
@@ -75,34 +111,48 @@ class CheckpointFile : public testing::Test {
   TemporaryFolder folder_;
 };
 
-TEST_F(CheckpointFile, KeepsEveryBit) {
-  const Checkpoint written = sampleWithInPlane();
+TEST_F(CheckpointFile, KeepsEveryBitOfASolve) {
+  const Checkpoint written = sampleCheckpoint();
   writeCheckpoint(file(), written);
   const Checkpoint read = readCheckpoint(file());
-  EXPECT_EQ(read.settings, written.settings);
-  EXPECT_EQ(read.solve.phase, written.solve.phase);
-  EXPECT_EQ(read.solve.positions, written.solve.positions);
-  EXPECT_EQ(read.solve.iterations, written.solve.iterations);
-  EXPECT_EQ(read.solve.seconds, written.solve.seconds);
-  expectSame(read.solve.history, written.solve.history);
-  ASSERT_TRUE(read.inPlane);
-  EXPECT_EQ(read.inPlane->positions, written.inPlane->positions);
-  EXPECT_EQ(read.inPlane->iterations, 12);
-  EXPECT_TRUE(read.inPlane->converged);
-  EXPECT_EQ(read.inPlane->reason, StopReason::energy);
-  EXPECT_EQ(read.inPlane->residual, written.inPlane->residual);
-  EXPECT_EQ(read.inPlane->energy, written.inPlane->energy);
-  EXPECT_EQ(read.inPlane->seconds, 3);
-  expectSame(read.inPlane->history, written.inPlane->history);
+  EXPECT_EQ(read.problem, written.problem);
+  EXPECT_FALSE(read.inPlane || read.full || read.inverse);
+  ASSERT_TRUE(read.solve);
+  EXPECT_EQ(read.solve->phase, written.solve->phase);
+  EXPECT_EQ(read.solve->positions, written.solve->positions);
+  EXPECT_EQ(read.solve->iterations, written.solve->iterations);
+  EXPECT_EQ(read.solve->seconds, written.solve->seconds);
+  expectSame(read.solve->history, written.solve->history);
 }
 
-TEST_F(CheckpointFile, HasNoInPlaneResultBeforeThereIsOne) {
-  writeCheckpoint(file(), sampleCheckpoint());
-  EXPECT_FALSE(readCheckpoint(file()).inPlane);
+TEST_F(CheckpointFile, KeepsEveryBitOfInverseDesign) {
+  const Checkpoint written = sampleInInverseDesign();
+  writeCheckpoint(file(), written);
+  const Checkpoint read = readCheckpoint(file());
+  EXPECT_FALSE(read.solve);
+  ASSERT_TRUE(read.inPlane && read.full && read.inverse);
+  expectSame(*read.inPlane, *written.inPlane);
+  expectSame(*read.full, *written.full);
+  const InverseCheckpoint& a = *read.inverse;
+  const InverseCheckpoint& b = *written.inverse;
+  EXPECT_EQ(a.compensated, b.compensated);
+  EXPECT_EQ(a.present.rest, b.present.rest);
+  expectSame(a.present.equilibrium, b.present.equilibrium);
+  EXPECT_EQ(a.kept.rest, b.kept.rest);
+  expectSame(a.kept.equilibrium, b.kept.equilibrium);
+  EXPECT_EQ(a.keptSteps, b.keptSteps);
+  ASSERT_EQ(a.steps.size(), b.steps.size());
+  for (std::size_t n = 0; n < a.steps.size(); ++n) {
+    expectSame(a.steps[n], b.steps[n]);
+  }
+  EXPECT_EQ(a.objectives, b.objectives);
+  ASSERT_EQ(a.pairs.size(), b.pairs.size());
+  EXPECT_EQ(a.pairs.front().step, b.pairs.front().step);
+  EXPECT_EQ(a.pairs.front().change, b.pairs.front().change);
 }
 
 TEST_F(CheckpointFile, CutShortAnywhereIsRefused) {
-  writeCheckpoint(file(), sampleWithInPlane());
+  writeCheckpoint(file(), sampleInInverseDesign());
   const std::string bytes = readFile(file());
   for (std::size_t count = 0; count < bytes.size(); count += 5) {
     ASSERT_NE(problemOf(bytes.substr(0, count)), "") << count << " bytes";
@@ -111,7 +161,7 @@ TEST_F(CheckpointFile, CutShortAnywhereIsRefused) {
 }
 
 TEST_F(CheckpointFile, WrongBytesAreRefused) {
-  writeCheckpoint(file(), sampleWithInPlane());
+  writeCheckpoint(file(), sampleInInverseDesign());
   const std::string bytes = readFile(file());
   for (std::size_t n = 0; n < bytes.size(); n += 5) {
     std::string damaged = bytes;
@@ -125,8 +175,8 @@ TEST_F(CheckpointFile, OtherFilesAndVersionsAreRefused) {
   EXPECT_THAT(problem(folder_ / "none"), HasSubstr("none: cannot be read: No such file"));
   EXPECT_THAT(problemOf("[surface]\n"), HasSubstr("is no checkpoint of morphgrid"));
   EXPECT_THAT(problemOf(""), HasSubstr("is no checkpoint of morphgrid"));
-  EXPECT_THAT(problemOf("morphgrid checkpoint 2\n{}\n"),
-              HasSubstr("has format 2, this morphgrid reads format 1"));
+  EXPECT_THAT(problemOf("morphgrid checkpoint 1\n{}\n"),
+              HasSubstr("has format 1, this morphgrid reads format 2"));
 }
 
 TEST_F(CheckpointFile, IsOnlyWrittenWhereItMayBe) {
@@ -139,33 +189,32 @@ TEST_F(CheckpointFile, IsOnlyWrittenWhereItMayBe) {
   EXPECT_THROW(requireWritableCheckpoint(folder_ / "no" / "folder"), InputError);
 }
 
-std::map<std::string, std::string> settingsOf(const std::vector<std::string>& overrides) {
+ProblemIdentity identityOf(const std::vector<std::string>& overrides) {
   const Scene scene = SceneFiles(kBezierScene).load(overrides);
-  return checkpointSettings(scene, designScene(scene).design);
+  return identifyProblem(scene, designScene(scene));
 }
 
 /// What is said when the scene has changed by these overrides since the checkpoint was written.
 std::string differences(const std::vector<std::string>& overrides) {
-  Checkpoint checkpoint;
-  checkpoint.settings = settingsOf({});
   try {
-    requireSameSettings("c", checkpoint, settingsOf(overrides));
+    requireSameProblem("c", {identityOf({})}, identityOf(overrides));
   } catch (const InputError& error) {
     return error.what();
   }
   return "";
 }
 
-TEST(CheckpointSettings, LetTolerancesAndOutputsChange) {
+TEST(CheckpointProblem, LetsTolerancesLimitsAndOutputsChange) {
   EXPECT_EQ(differences({"solver.tolerance=1e-3", "solver.energy_tolerance=0",
-                         "solver.iteration_limit=7", "output.pictures=false"}),
+                         "solver.iteration_limit=7", "output.pictures=false", "design.optimise=3"}),
             "");
 }
 
-TEST(CheckpointSettings, WhatDiffersIsNamed) {
+TEST(CheckpointProblem, WhatDiffersIsNamed) {
   EXPECT_THAT(differences({"weights.angle=2"}),
               AllOf(HasSubstr("weights: lateral 5, vertical 40, angle 1 in the checkpoint, lateral "
                               "5, vertical 40, angle 2 in the scene"),
+                    HasSubstr("give those that it was written with, or start anew"),
                     Not(HasSubstr("nodes"))));
   EXPECT_THAT(differences({"solver.method=jacobi"}),
               HasSubstr("method: multigrid in the checkpoint, jacobi in the scene"));
@@ -174,7 +223,31 @@ TEST(CheckpointSettings, WhatDiffersIsNamed) {
   EXPECT_THAT(differences({"grid.nodes_long=9"}), HasSubstr("nodes:"));
   EXPECT_THAT(differences({"grid.layer_spacing=0.09"}), HasSubstr("layer spacing: 0.1 in"));
   // The same size, other angles.
-  EXPECT_THAT(differences({"grid.curvature_cutoff=0.5"}), HasSubstr("bend angles (digest)"));
+  EXPECT_THAT(differences({"grid.curvature_cutoff=0.5"}), HasSubstr("curvature cutoff: 1 in"));
+  EXPECT_THAT(differences({"design.enforce_shrinkage=true"}),
+              HasSubstr("enforced shrinkage: none in the checkpoint, 0.4"));
+}
+
+TEST(CheckpointProblem, IsEveryNumberOfTheGrid) {
+  const Scene scene = SceneFiles(kBezierScene).load();
+  const SceneDesign designed = designScene(scene);
+  const ProblemIdentity written = identifyProblem(scene, designed);
+  const auto isTold = [&](const auto& change) {
+    SceneDesign other = designed;
+    change(other);
+    const ProblemIdentity now = identifyProblem(scene, other);
+    EXPECT_EQ(now.settings, written.settings);
+    try {
+      requireSameProblem("c", {written}, now);
+    } catch (const InputError& error) {
+      return std::string(error.what()).find("the lengths designed from it") != std::string::npos;
+    }
+    return false;
+  };
+  EXPECT_FALSE(isTold([](SceneDesign&) {}));
+  EXPECT_TRUE(isTold([](SceneDesign& d) { d.design.rest[1].u(0, 0) *= 1 + 1e-15; }));
+  EXPECT_TRUE(isTold([](SceneDesign& d) { d.design.lengths.v(1, 0) *= 1 + 1e-15; }));
+  EXPECT_TRUE(isTold([](SceneDesign& d) { (*d.targets)(2, 3) += 1e-9; }));
 }
 
 }  // namespace

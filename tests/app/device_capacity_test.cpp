@@ -14,8 +14,8 @@ const DeviceCapacity kUnlimited{
     "GPU", {kPlenty, kPlenty, false}, kPlenty, kPlenty, kPlenty, kPlenty, kPlenty};
 const GridShape kShape{301, 201, 3};
 
-std::string complaint(const DeviceCapacity& capacity, Method method = Method::multigrid) {
-  return explainOverflow(kShape, method, capacity).value_or("");
+std::string complaint(const DeviceCapacity& capacity, const Workload& work = {Method::multigrid}) {
+  return explainOverflow(kShape, work, capacity).value_or("");
 }
 
 TEST(DeviceCapacity, WhatFitsIsFine) {
@@ -35,8 +35,8 @@ TEST(DeviceCapacity, WhatIsLackingIsNamed) {
   DeviceCapacity capacity = kUnlimited;
   capacity.memory.device = 100'000'000;
   EXPECT_THAT(complaint(capacity), HasSubstr("memory on GPU, 0.1 GB are free there"));
-  EXPECT_EQ(complaint(capacity, Method::jacobi), "");
-  EXPECT_EQ(complaint(capacity, Method::reference), "");
+  EXPECT_EQ(complaint(capacity, {Method::jacobi}), "");
+  EXPECT_EQ(complaint(capacity, {Method::reference}), "");
   capacity = kUnlimited;
   capacity.memory.host = 100'000'000;
   EXPECT_THAT(complaint(capacity), HasSubstr("GB of memory, 0.1 GB are free"));
@@ -53,6 +53,17 @@ TEST(DeviceCapacity, WhatIsLackingIsNamed) {
   capacity.mostVerticesV = 200;
   EXPECT_THAT(complaint(capacity), HasSubstr("x 200 vertices a layer"));
   EXPECT_THAT(complaint(capacity), HasSubstr("299 x 199 nodes"));
+}
+
+TEST(DeviceCapacity, InverseDesignNeedsMore) {
+  DeviceCapacity capacity = kUnlimited;
+  const SolveMemory forSolve = multigridMemory(kShape);
+  capacity.memory = {forSolve.device, kPlenty, false};
+  EXPECT_EQ(complaint(capacity), "");
+  EXPECT_THAT(complaint(capacity, {Method::multigrid, true}), HasSubstr("GB of memory on GPU"));
+  capacity.memory = {kPlenty, forSolve.host, false};
+  EXPECT_EQ(complaint(capacity), "");
+  EXPECT_THAT(complaint(capacity, {Method::multigrid, true}), HasSubstr("GB of memory, "));
 }
 
 TEST(DeviceCapacity, ADeviceThatIsTheHostSharesItsMemory) {
@@ -78,10 +89,10 @@ TEST(DeviceCapacity, OfOneLayerAsMuchIsReachedAsOfSeveral) {
   DeviceCapacity capacity = kUnlimited;
   capacity.mostBound = std::uint64_t{128} << 20;
   const GridShape nearlyAll{2896, 2896, 1};
-  EXPECT_EQ(explainOverflow(nearlyAll, Method::multigrid, capacity), std::nullopt);
-  EXPECT_THAT(explainOverflow({2898, 2898, 1}, Method::multigrid, capacity).value_or(""),
+  EXPECT_EQ(explainOverflow(nearlyAll, {Method::multigrid}, capacity), std::nullopt);
+  EXPECT_THAT(explainOverflow({2898, 2898, 1}, {Method::multigrid}, capacity).value_or(""),
               HasSubstr("2895 x 2895 nodes (8386816 vertices) would fit"));
-  EXPECT_EQ(explainOverflow({1672, 1672, 3}, Method::multigrid, capacity), std::nullopt);
+  EXPECT_EQ(explainOverflow({1672, 1672, 3}, {Method::multigrid}, capacity), std::nullopt);
 }
 
 }  // namespace

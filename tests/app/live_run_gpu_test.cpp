@@ -8,6 +8,7 @@
 
 #include "core/error.h"
 #include "tests/support/dome_scene.h"
+#include "tests/support/height_field.h"
 #include "tests/support/temporary_folder.h"
 
 namespace morphgrid {
@@ -176,6 +177,22 @@ TEST_F(LiveSession, AKnobTakesThePlaceOfTheSolveUnderWay) {
   EXPECT_EQ(end->stages[static_cast<std::size_t>(ShownStage::warped)]->grid->shape.layers, 4);
   EXPECT_TRUE(end->canUndo);
   EXPECT_FALSE(end->canRedo);
+}
+
+TEST_F(LiveSession, AKnobKeepsTheTargetThatItLeavesAsItIs) {
+  folder_.write("m.obj", heightFieldObj(dome));
+  folder_.write("m.toml", "mesh = \"m.obj\"\nsamples_u = 21\nsamples_v = 21\n");
+  start(
+      "[surface]\nkind = \"mesh\"\nmesh = \"m.toml\"\nu_start = -1\nv_start = -1\nu_length = 2\n"
+      "v_length = 2\n[grid]\nlayer_spacing = 0.05\nnodes_long = 8\n");
+  const auto sampling = awaitRest()->sampling;  // A part of the target.
+  ASSERT_TRUE(sampling);
+  for (const char* key : {"grid.layers", "grid.nodes_long"}) {
+    session_->turnKnob(key, "4");
+    EXPECT_EQ(awaitRest()->sampling, sampling) << key;
+  }
+  session_->turnKnob("surface.smoothing_width", "0.2");
+  EXPECT_NE(awaitRest()->sampling, sampling);
 }
 
 TEST_F(LiveSession, KnobsAreUndoneAndRedone) {

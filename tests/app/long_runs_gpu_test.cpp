@@ -113,6 +113,94 @@ std::vector<std::string> failingDevice(const std::string& variable, int value) {
           "MORPHGRID_FAILING_DEVICE_" + variable + "=" + std::to_string(value)};
 }
 
+/// Inverse design in the middle of its steps.
+class InverseDesignRun : public LongRun {
+ protected:
+  std::vector<std::string> design(const std::string& name,
+                                  const std::vector<std::string>& more = {}) const {
+    std::vector<std::string> arguments{"run",   sourceFolder() / "scenes/egg_chair_true.toml",
+                                       "--out", folder_ / name,
+                                       "--set", "grid.nodes_long=14",
+                                       "--set", "output.pictures=false",
+                                       "--set", "design.optimise=25"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return arguments;
+  }
+  std::vector<std::string> keepingCheckpoints(const std::string& name) const {
+    return design(name, {"--quiet", "--checkpoint", checkpoint(), "--checkpoint-minutes", "1e-9"});
+  }
+  bool hasSteps(std::size_t count) const {
+    if (!std::filesystem::exists(checkpoint())) {
+      return false;
+    }
+    const Checkpoint read = readCheckpoint(checkpoint());
+    return read.inverse && read.inverse->steps.size() >= count;
+  }
+  static double rmsOf(const nlohmann::json& step) { return step["rms_percent"].get<double>(); }
+
+  /// The end of a run that goes on from the checkpoint is that of the whole one.
+  void expectSameEnd(const nlohmann::json& resumed, const nlohmann::json& whole,
+                     std::size_t stepsBefore) const {
+    const auto& steps = resumed["inverse_design"]["steps"];
+    const auto& wholeSteps = whole["inverse_design"]["steps"];
+    ASSERT_EQ(steps.size(), wholeSteps.size());
+    for (std::size_t n = 0; n < steps.size(); ++n) {
+      EXPECT_EQ(steps[n]["number"], wholeSteps[n]["number"]);
+      // The same until then; from there on to the tolerance of equilibria.
+      EXPECT_NEAR(rmsOf(steps[n]), rmsOf(wholeSteps[n]),
+                  (n < stepsBefore ? 1e-9 : 0.05) * rmsOf(wholeSteps[n]))
+          << n;
+      if (n > 0) {
+        EXPECT_GE(steps[n]["seconds"].get<double>(), steps[n - 1]["seconds"].get<double>());
+      }
+    }
+    EXPECT_EQ(resumed["inverse_design"]["ending"], whole["inverse_design"]["ending"]);
+    EXPECT_NEAR(rmsOf(resumed["distance_to_target"]), rmsOf(whole["distance_to_target"]),
+                0.02 * rmsOf(whole["distance_to_target"]));
+  }
+};
+
+TEST_F(InverseDesignRun, GoesOnAfterAKill) {
+  ASSERT_EQ(runMorphgrid(design("whole", {"--quiet"})).exitCode, 0);
+  const ProcessResult killed = runMorphgridUntil([&](const std::string&) { return hasSteps(8); },
+                                                 keepingCheckpoints("killed"), SIGKILL);
+  ASSERT_EQ(killed.exitCode, 128 + 9) << killed.output;
+  const std::size_t before = readCheckpoint(checkpoint()).inverse->steps.size();
+  ASSERT_LT(before, report("whole")["inverse_design"]["steps"].size());
+  const ProcessResult resumed =
+      runMorphgrid(design("resumed", {"--quiet", "--resume", checkpoint(), "--validate"}));
+  ASSERT_EQ(resumed.exitCode, 0) << resumed.output;
+  expectSameEnd(report("resumed"), report("whole"), before);
+}
+
+TEST_F(InverseDesignRun, InterruptedKeepsWhatIsThereAndGoesOn) {
+  ASSERT_EQ(runMorphgrid(design("whole", {"--quiet"})).exitCode, 0);
+  const ProcessResult interrupted = runMorphgridUntil(
+      [&](const std::string&) { return hasSteps(8); }, keepingCheckpoints("interrupted"), SIGINT);
+  ASSERT_EQ(interrupted.exitCode, 130) << interrupted.output;
+  const auto left = report("interrupted");
+  EXPECT_EQ(left["inverse_design"]["ending"], "interrupted");
+  const auto& steps = left["inverse_design"]["steps"];
+  ASSERT_GE(steps.size(), 8);
+  EXPECT_NEAR(rmsOf(left["distance_to_target"]), rmsOf(steps.back()), 1e-6);
+  EXPECT_EQ(readCheckpoint(checkpoint()).inverse->steps.size(), steps.size());
+  ASSERT_EQ(runMorphgrid(design("resumed", {"--quiet", "--resume", checkpoint()})).exitCode, 0);
+  expectSameEnd(report("resumed"), report("whole"), steps.size());
+}
+
+TEST_F(InverseDesignRun, ALostDeviceLeavesTheBestDesignSoFar) {
+  const ProcessResult lost =
+      runMorphgrid(keepingCheckpoints("lost"), failingDevice("SUBMITS", 1200));
+  ASSERT_EQ(lost.exitCode, 4) << lost.output;
+  const auto left = report("lost");
+  EXPECT_EQ(left["inverse_design"]["ending"], "device failure");
+  const auto& steps = left["inverse_design"]["steps"];
+  ASSERT_GT(steps.size(), 3);
+  EXPECT_LT(rmsOf(left["distance_to_target"]), 0.5 * rmsOf(steps.front()));
+  EXPECT_NEAR(rmsOf(left["distance_to_target"]), rmsOf(steps.back()), 1e-6);
+  EXPECT_EQ(runMorphgrid(design("resumed", {"--quiet", "--resume", checkpoint()})).exitCode, 0);
+}
+
 class LostDevice : public LongRun, public testing::WithParamInterface<int> {};
 
 TEST_P(LostDevice, LeavesWhatWasDone) {

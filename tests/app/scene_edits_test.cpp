@@ -70,7 +70,7 @@ TEST_F(EditedScene, KeepsThePathsOfABaseInAnotherFolder) {
   SceneEdits edits = edit("scene.toml");
   edits.set("grid.layer_spacing", "0.25");
   const Scene scene = loadScene(edits.save());
-  EXPECT_TRUE(scene.surface);
+  EXPECT_TRUE(std::holds_alternative<PatchRequest>(scene.surface));
   EXPECT_EQ(scene.design.layers, 4);
   EXPECT_EQ(scene.design.layerSpacing, 0.25);
 }
@@ -81,7 +81,7 @@ TEST_F(EditedScene, KeepsABaseThatAnOverrideNames) {
   SceneEdits edits = edit("scene.toml", {"extends=base/scene.toml"});
   const Scene scene = loadScene(edits.save());
   EXPECT_EQ(scene.title, "B");
-  EXPECT_EQ(scene.bendAngles->layers, 5);
+  EXPECT_EQ(scene.design.layers, 5);
 }
 
 TEST_F(EditedScene, NeverTakesThePlaceOfAFileThatWasThere) {
@@ -95,8 +95,9 @@ TEST_F(EditedScene, NeverTakesThePlaceOfAFileThatWasThere) {
   const auto again = edits.save();
   EXPECT_EQ(again, folder_ / "scene_edited_2.toml") << "its own file is written again";
   const Scene scene = loadScene(again);
-  EXPECT_EQ(scene.bendAngles->nodesU, 6);
-  EXPECT_EQ(scene.bendAngles->nodesV, 7);
+  const auto& bent = std::get<BendAngleRequest>(scene.surface);
+  EXPECT_EQ(bent.nodesU, 6);
+  EXPECT_EQ(bent.nodesV, 7);
 }
 
 TEST_F(EditedScene, ThatCannotBeWrittenIsTold) {

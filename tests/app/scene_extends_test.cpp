@@ -37,7 +37,7 @@ TEST_F(ExtendedScene, GivesWhatTheFileLeavesOut) {
   EXPECT_EQ(scene.title, "new");
   EXPECT_EQ(scene.design.layers, 5);
   EXPECT_EQ(scene.design.layerSpacing, 0.2);
-  EXPECT_TRUE(scene.surface);
+  EXPECT_TRUE(std::holds_alternative<PatchRequest>(scene.surface));
 }
 
 TEST_F(ExtendedScene, MayExtendAThirdFile) {

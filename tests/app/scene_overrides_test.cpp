@@ -42,10 +42,11 @@ TEST(Overrides, MendABadFile) {
   EXPECT_NE(files.problems(), "");
   const Scene scene =
       files.load({"grid.layers=2", "grid={nodes_v=3, layer_spacing=1}", "surface.theta_u=[1,-1]"});
-  EXPECT_EQ(scene.bendAngles->layers, 2);
-  EXPECT_EQ(scene.bendAngles->nodesU, 2);
-  EXPECT_EQ(scene.bendAngles->nodesV, 3);
-  EXPECT_EQ(scene.bendAngles->lastThetaU, -1);
+  const auto& bent = std::get<BendAngleRequest>(scene.surface);
+  EXPECT_EQ(scene.design.layers, 2);
+  EXPECT_EQ(bent.nodesU, 2);
+  EXPECT_EQ(bent.nodesV, 3);
+  EXPECT_EQ(bent.lastThetaU, -1);
 }
 
 TEST(Overrides, BadOnesAreReportedAsGiven) {

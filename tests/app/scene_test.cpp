@@ -18,9 +18,9 @@ namespace {
 const std::filesystem::path kScenes = sourceFolder() / "scenes";
 
 void expectCorner(const Scene& scene, const Eigen::Vector3d& corner) {
-  ASSERT_NE(scene.surface, nullptr);
-  EXPECT_FALSE(scene.bendAngles);
-  EXPECT_LT((scene.surface->point(0, 0) - corner).norm(), 1e-12 * corner.norm());
+  const auto* patch = std::get_if<PatchRequest>(&scene.surface);
+  ASSERT_TRUE(patch);
+  EXPECT_EQ(patch->controlPoints[0][0], corner);
 }
 
 void expectDesign(const Scene& scene, int layers, double layerSpacing, int nodesLong,
@@ -78,17 +78,17 @@ TEST(Scenes, IrisPetal) {
 
 TEST(Scenes, Strip) {
   const Scene scene = loadScene(kScenes / "strip.toml");
-  EXPECT_EQ(scene.surface, nullptr);
-  ASSERT_TRUE(scene.bendAngles);
-  EXPECT_EQ(scene.bendAngles->nodesU, 30);
-  EXPECT_EQ(scene.bendAngles->nodesV, 3);
-  EXPECT_EQ(scene.bendAngles->layers, 4);
-  EXPECT_EQ(scene.bendAngles->layerSpacing, 0.15);
-  EXPECT_EQ(scene.bendAngles->spacing, 1);
-  EXPECT_EQ(scene.bendAngles->firstThetaU, 1);
-  EXPECT_EQ(scene.bendAngles->lastThetaU, -1);
-  EXPECT_EQ(scene.bendAngles->firstThetaV, 0);
-  EXPECT_EQ(scene.bendAngles->lastThetaV, 0);
+  const auto* bent = std::get_if<BendAngleRequest>(&scene.surface);
+  ASSERT_TRUE(bent);
+  EXPECT_EQ(bent->nodesU, 30);
+  EXPECT_EQ(bent->nodesV, 3);
+  EXPECT_EQ(scene.design.layers, 4);
+  EXPECT_EQ(scene.design.layerSpacing, 0.15);
+  EXPECT_EQ(bent->spacing, 1);
+  EXPECT_EQ(bent->firstThetaU, 1);
+  EXPECT_EQ(bent->lastThetaU, -1);
+  EXPECT_EQ(bent->firstThetaV, 0);
+  EXPECT_EQ(bent->lastThetaV, 0);
   ASSERT_TRUE(scene.published);
   EXPECT_EQ(scene.published->figure, "Fig. 1(c)");
   EXPECT_FALSE(scene.published->longestIsolineU);
@@ -96,11 +96,11 @@ TEST(Scenes, Strip) {
 }
 
 TEST(Scenes, NodeIsOneAndTheRingBendsByAFullTurn) {
-  const BendAngleRequest node = *loadScene(kScenes / "node.toml").bendAngles;
+  const auto node = std::get<BendAngleRequest>(loadScene(kScenes / "node.toml").surface);
   EXPECT_EQ(node.nodesU * node.nodesV, 1);
   EXPECT_EQ(node.firstThetaU, 1);
   EXPECT_EQ(node.lastThetaU, 1);
-  const BendAngleRequest ring = *loadScene(kScenes / "ring.toml").bendAngles;
+  const auto ring = std::get<BendAngleRequest>(loadScene(kScenes / "ring.toml").surface);
   EXPECT_EQ(ring.firstThetaU, ring.lastThetaU);
   EXPECT_NEAR(ring.nodesU * ring.firstThetaU, 2 * std::numbers::pi, 1e-6);
 }
@@ -125,7 +125,7 @@ TEST(Scenes, HaveTheMeasuresThatThePaperPrints) {
     SCOPED_TRACE(name);
     const Scene scene = loadScene(kScenes / name);
     const PublishedFigures& paper = *scene.published;
-    const SurfaceSurvey survey = surveySurface(*scene.surface);
+    const SurfaceSurvey survey = loadTarget(scene)->survey();
     EXPECT_NEAR(survey.longestIsolineU, *paper.longestIsolineU, 1e-3 * *paper.longestIsolineU);
     EXPECT_NEAR(survey.longestIsolineV, *paper.longestIsolineV, 1e-3 * *paper.longestIsolineV);
     EXPECT_NEAR(survey.largestCurvature(), *paper.largestCurvature, 0.01 * *paper.largestCurvature);
@@ -214,7 +214,7 @@ obj = false
 )");
   const Scene scene = files.load();
   EXPECT_EQ(scene.title, "T\u00e4\u00dft");
-  EXPECT_NE(scene.surface, nullptr);
+  EXPECT_TRUE(std::holds_alternative<PatchRequest>(scene.surface));
   expectDesign(scene, 64, 2, 7, 0.25);
   EXPECT_EQ(scene.design.strutThickness, 0.5);
   EXPECT_EQ(scene.weights.lateral, 6);
@@ -251,16 +251,17 @@ nodes_u = 4
 nodes_v = 5
 )")
                           .load();
-  ASSERT_TRUE(scene.bendAngles);
-  EXPECT_EQ(scene.bendAngles->firstThetaU, 0.5);
-  EXPECT_EQ(scene.bendAngles->lastThetaU, 1);
-  EXPECT_EQ(scene.bendAngles->firstThetaV, -3.141592653589793);
-  EXPECT_EQ(scene.bendAngles->lastThetaV, 3.141592653589793);
-  EXPECT_EQ(scene.bendAngles->spacing, 3);
-  EXPECT_EQ(scene.bendAngles->layers, 2);
-  EXPECT_EQ(scene.bendAngles->layerSpacing, 0.1);
-  EXPECT_EQ(scene.bendAngles->nodesU, 4);
-  EXPECT_EQ(scene.bendAngles->nodesV, 5);
+  const auto* bent = std::get_if<BendAngleRequest>(&scene.surface);
+  ASSERT_TRUE(bent);
+  EXPECT_EQ(bent->firstThetaU, 0.5);
+  EXPECT_EQ(bent->lastThetaU, 1);
+  EXPECT_EQ(bent->firstThetaV, -3.141592653589793);
+  EXPECT_EQ(bent->lastThetaV, 3.141592653589793);
+  EXPECT_EQ(bent->spacing, 3);
+  EXPECT_EQ(scene.design.layers, 2);
+  EXPECT_EQ(scene.design.layerSpacing, 0.1);
+  EXPECT_EQ(bent->nodesU, 4);
+  EXPECT_EQ(bent->nodesV, 5);
 }
 
 TEST(LoadScene, TakesWindowsLineEndsAndAByteOrderMark) {

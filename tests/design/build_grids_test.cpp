@@ -7,16 +7,16 @@
 namespace morphgrid {
 namespace {
 
-GridDesign smallDesign() { return designFromBendAngles({3, 2, 3, 0.2, 1.5, 0.5, -0.5, 0.3, 0.3}); }
+GridDesign smallDesign() { return designFromBendAngles({3, 2, 1.5, 0.5, -0.5, 0.3, 0.3}, 3, 0.2); }
 
 TEST(InPlaneGrid, IsOneLayerOfSquareCells) {
   const StrutGrid grid = inPlaneGrid(smallDesign(), {}, Scaling::normalised);
   EXPECT_EQ(grid.shape, (GridShape{4, 3, 1}));
   EXPECT_EQ(grid.positions.col(grid.shape.index(2, 1, 0)), Eigen::Vector3d(3, 1.5, 0));
-  for (const Strut& strut : listStruts(grid.shape)) {
+  forEachStrut(grid.shape, [&](const Strut& strut) {
     EXPECT_EQ(valueAt(grid.rest, strut), 1.5);
     EXPECT_EQ(valueAt(grid.stiffness, strut), 5);
-  }
+  });
   EXPECT_NO_THROW(validate(grid));
 }
 
@@ -43,12 +43,12 @@ TEST(StackedGrid, ShapeOpScalingDividesByTheSquareOfTheRestLength) {
   const GridDesign design = smallDesign();
   const Eigen::Matrix3Xd printed = inPlaneGrid(design, {}, Scaling::shapeop).positions;
   const StrutGrid grid = stackedGrid(design, {}, Scaling::shapeop, printed);
-  for (const Strut& strut : listStruts(grid.shape)) {
+  forEachStrut(grid.shape, [&](const Strut& strut) {
     const double rest = valueAt(grid.rest, strut);
     const double initial = (grid.positions.col(strut.to) - grid.positions.col(strut.from)).norm();
     const double weight = strut.direction == Strut::Direction::w ? 40 : 5;
     EXPECT_NEAR(valueAt(grid.stiffness, strut), weight * initial / (rest * rest), 1e-12);
-  }
+  });
 }
 
 }  // namespace

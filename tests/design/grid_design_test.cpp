@@ -135,7 +135,7 @@ TEST(RestLength, TheConvexSideKeepsItsLength) {
 }
 
 TEST(DesignFromBendAngles, RunsFromTheFirstToTheLastStrut) {
-  const GridDesign design = designFromBendAngles({30, 3, 4, 0.15, 1, 1.0, -1.0, 0, 0});
+  const GridDesign design = designFromBendAngles({30, 3, 1, 1.0, -1.0, 0, 0}, 4, 0.15);
   EXPECT_EQ(design.bendAngles.u(0, 0), 1);
   EXPECT_NEAR(design.bendAngles.u(10, 3), 1 - 20.0 / 29, 1e-15);
   EXPECT_EQ(design.bendAngles.u(29, 3), -1);
@@ -144,7 +144,7 @@ TEST(DesignFromBendAngles, RunsFromTheFirstToTheLastStrut) {
 }
 
 TEST(DesignFromBendAngles, RefusesStrutsThatVanish) {
-  EXPECT_THROW(designFromBendAngles({3, 3, 4, 0.5, 1, 1.0, -1.0, 0, 0}), InputError);
+  EXPECT_THROW(designFromBendAngles({3, 3, 1, 1.0, -1.0, 0, 0}, 4, 0.5), InputError);
 }
 
 }  // namespace

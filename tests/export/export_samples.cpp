@@ -55,13 +55,12 @@ ExportSample exportSample(const GridShape& shape) {
         vertex / shape.layerVertexCount() + jitter(random);
   }
   sample.grid.positions = sample.positions;
-  for (const Strut& strut : listStruts(shape)) {
+  forEachStrut(shape, [&](const Strut& strut) {
     const double length =
         (sample.positions.col(strut.to) - sample.positions.col(strut.from)).norm();
     valueAt(sample.grid.rest, strut) = length * (1 + 1.5 * jitter(random));
-  }
-  sample.surface =
-      tessellate(shape.verticesU, shape.verticesV, middleLayer(shape, sample.positions), 2);
+  });
+  sample.surface = tessellate(shape, middleLayer(shape, sample.positions), 2);
   return sample;
 }
 

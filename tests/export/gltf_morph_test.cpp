@@ -7,6 +7,7 @@
 #include "core/error.h"
 #include "tests/export/export_samples.h"
 #include "tests/export/gltf_files.h"
+#include "tests/support/strut_list.h"
 
 namespace morphgrid {
 namespace {
@@ -19,8 +20,7 @@ std::vector<MorphKey> sampleKeys(const ExportSample& sample, int count) {
   for (int n = 0; n < count; ++n) {
     Eigen::Matrix3Xd positions = sample.positions;
     positions.row(2).array() += n * positions.row(1).array().square();
-    keys.push_back({positions, tessellate(kShape.verticesU, kShape.verticesV,
-                                          middleLayer(kShape, positions), 2)});
+    keys.push_back({positions, tessellate(kShape, middleLayer(kShape, positions), 2)});
   }
   return keys;
 }

@@ -11,6 +11,7 @@
 #include "shared/strain_color.h"
 #include "tests/export/export_samples.h"
 #include "tests/export/gltf_files.h"
+#include "tests/support/strut_list.h"
 
 namespace morphgrid {
 namespace {

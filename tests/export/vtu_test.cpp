@@ -13,6 +13,7 @@
 #include "grid/shrink.h"
 #include "grid/strain.h"
 #include "tests/export/export_samples.h"
+#include "tests/support/strut_list.h"
 
 namespace morphgrid {
 namespace {

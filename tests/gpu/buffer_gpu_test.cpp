@@ -7,10 +7,10 @@
 namespace morphgrid {
 namespace {
 
-constexpr vk::DeviceSize kBytes = 1 << 20;
+constexpr std::uint64_t kBytes = 1 << 20;
 
 Buffer storage(const Device& device, MemoryKind kind) {
-  return {device, kBytes, vk::BufferUsageFlagBits::eStorageBuffer, kind};
+  return {device, kBytes, BufferUsage::storageBuffer, kind};
 }
 
 TEST_F(DeviceTest, CountsTheMemoryOfItsBuffers) {
@@ -39,9 +39,8 @@ TEST_F(DeviceTest, CountsTheMemoryOfItsBuffers) {
 TEST_F(DeviceTest, BindsAsMuchOfABufferAsShadersReach) {
   const Device device({.selection = "", .validation = true, .largestStorageBuffer = kBytes / 2});
   const Buffer buffer = storage(device, MemoryKind::device);
-  const auto layout = createSetLayout(device, {{0, vk::DescriptorType::eStorageBuffer}},
-                                      vk::ShaderStageFlagBits::eCompute);
-  const auto bind = [&](const BufferRange& range) { ResourceSet(device, *layout, {{0, range}}); };
+  const ResourceLayout layout(device, {{0, ResourceType::storageBuffer}}, ShaderStage::compute);
+  const auto bind = [&](const BufferRange& range) { ResourceSet(device, layout, {{0, range}}); };
   EXPECT_NO_THROW(bind({&buffer, kBytes / 2, kBytes / 2}));
   EXPECT_THROW(bind({&buffer, 0, kBytes / 2 + 16}), DeviceError);
   EXPECT_THROW(bind(&buffer), DeviceError);

@@ -4,6 +4,7 @@
 
 #include <numeric>
 
+#include "gpu/submission_pace.h"
 #include "tests/support/validated_device.h"
 
 namespace morphgrid {
@@ -16,10 +17,10 @@ TEST(CommandStream, CutIntoPartsDoesTheSame) {
     device.pace()->learn({{"copy", 1}}, 1, device.pace()->frameEvents());  // As dear as can be.
   }
   constexpr int kCount = 1 << 16;
-  constexpr vk::DeviceSize kSize = kCount * sizeof(int);
-  using Usage = vk::BufferUsageFlagBits;
-  const Buffer a(device, kSize, Usage::eTransferSrc | Usage::eTransferDst, MemoryKind::device);
-  const Buffer b(device, kSize, Usage::eTransferSrc | Usage::eTransferDst, MemoryKind::device);
+  constexpr std::uint64_t kSize = kCount * sizeof(int);
+  using Usage = BufferUsage;
+  const Buffer a(device, kSize, Usage::transferSrc | Usage::transferDst, MemoryKind::device);
+  const Buffer b(device, kSize, Usage::transferSrc | Usage::transferDst, MemoryKind::device);
   std::vector<int> numbers(kCount);
   std::iota(numbers.begin(), numbers.end(), 7);
   upload(device, a, numbers);

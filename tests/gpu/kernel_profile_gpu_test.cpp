@@ -9,9 +9,9 @@ namespace {
 
 constexpr int kCopies = 600;  // More than fit into one pool of queries.
 
-Buffer buffer(const Device& device, vk::DeviceSize bytes) {
-  using Usage = vk::BufferUsageFlagBits;
-  return {device, bytes, Usage::eTransferSrc | Usage::eTransferDst, MemoryKind::device};
+Buffer buffer(const Device& device, std::uint64_t bytes) {
+  using Usage = BufferUsage;
+  return {device, bytes, Usage::transferSrc | Usage::transferDst, MemoryKind::device};
 }
 
 TEST(KernelProfile, TimesEveryCallOfEverySubmission) {

@@ -11,7 +11,7 @@ TEST(Shrinks, AreSharesOfThePrintedLength) {
   grid.positions.resize(3, 8);
   grid.positions << 0, 2, 0, 2, 0, 2, 0, 2, 0, 0, 4, 4, 0, 0, 4, 4, 0, 0, 0, 0, 1, 1, 1, 1;
   grid.rest = StrutValues(grid.shape);
-  for (const Strut& strut : listStruts(grid.shape)) valueAt(grid.rest, strut) = 1;
+  forEachStrut(grid.shape, [&](const Strut& strut) { valueAt(grid.rest, strut) = 1; });
   grid.rest.u[2] = 3;
   const StrutValues shrinks = computeShrinks(grid);
   EXPECT_EQ(shrinks.u[0], 0.5);

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/support/strut_list.h"
+
 namespace morphgrid {
 namespace {
 
@@ -16,9 +18,9 @@ StrutGrid boxGrid(const GridShape& shape) {
       }
     }
   }
-  for (const Strut& strut : listStruts(shape)) {
+  forEachStrut(shape, [&](const Strut& strut) {
     valueAt(grid.rest, strut) = 1.0 + static_cast<int>(strut.direction);
-  }
+  });
   return grid;
 }
 

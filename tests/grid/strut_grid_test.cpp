@@ -18,12 +18,6 @@ StrutGrid flatLayer() {
   return layerAtRest({4, 3, 1}, 1, points);
 }
 
-TEST(GridShape, CountsItsStruts) {
-  for (const GridShape shape : {GridShape{2, 2, 1}, GridShape{5, 3, 2}, GridShape{4, 7, 5}}) {
-    EXPECT_EQ(shape.strutCount(), static_cast<int>(listStruts(shape).size()));
-  }
-}
-
 TEST(Validate, NamesWhatIsWrong) {
   const StrutGrid good = flatLayer();
   StrutGrid grid = good;

@@ -54,7 +54,7 @@ void expectTrianglesFollowNormals(const SurfaceMesh& mesh) {
 }
 
 TEST(Tessellate, CountsVerticesAndTriangles) {
-  const SurfaceMesh mesh = tessellate(5, 3, lattice(5, 3, onSphere), 4);
+  const SurfaceMesh mesh = tessellate({5, 3, 1}, lattice(5, 3, onSphere), 4);
   EXPECT_EQ(mesh.vertices.cols(), 17 * 9);
   EXPECT_EQ(mesh.triangles.cols(), 2 * 16 * 8);
   EXPECT_EQ(mesh.triangles.minCoeff(), 0);
@@ -63,13 +63,13 @@ TEST(Tessellate, CountsVerticesAndTriangles) {
 
 TEST(Tessellate, RefineOfOneKeepsThePoints) {
   const Eigen::Matrix3Xd points = lattice(4, 6, onSphere);
-  EXPECT_EQ(tessellate(4, 6, points, 1).vertices, points);
+  EXPECT_EQ(tessellate({4, 6, 1}, points, 1).vertices, points);
 }
 
 TEST(Tessellate, PassesThroughThePointsExactly) {
   const int countU = 4, countV = 3, refine = 5;
   const Eigen::Matrix3Xd points = lattice(countU, countV, onSphere);
-  const SurfaceMesh mesh = tessellate(countU, countV, points, refine);
+  const SurfaceMesh mesh = tessellate({countU, countV, 1}, points, refine);
   const int finer = (countU - 1) * refine + 1;
   for (int j = 0; j < countV; ++j) {
     for (int i = 0; i < countU; ++i) {
@@ -85,7 +85,7 @@ TEST(Tessellate, UnevenPlanarLatticeStaysPlanar) {
   const auto plane = [&](double s, double t) -> Eigen::Vector3d {
     return normal * 0.7 + across * (3 * s + 0.4 * s * t) + along * (t * t + t + 0.2 * s);
   };
-  const SurfaceMesh mesh = tessellate(6, 4, lattice(6, 4, plane), 3);
+  const SurfaceMesh mesh = tessellate({6, 4, 1}, lattice(6, 4, plane), 3);
   EXPECT_LT(((normal.transpose() * mesh.vertices).array() - 0.7).abs().maxCoeff(), 1e-14);
   EXPECT_LT((mesh.normals.colwise() - normal).colwise().norm().maxCoeff(), 1e-14);
   expectTrianglesFollowNormals(mesh);
@@ -94,7 +94,7 @@ TEST(Tessellate, UnevenPlanarLatticeStaysPlanar) {
 TEST(Tessellate, TwoPointsAcrossAreJoinedStraight) {
   const Eigen::Matrix3Xd points =
       lattice(2, 2, [](double s, double t) { return Eigen::Vector3d(2 * s, 3 * t, s * t); });
-  const SurfaceMesh mesh = tessellate(2, 2, points, 2);
+  const SurfaceMesh mesh = tessellate({2, 2, 1}, points, 2);
   EXPECT_LT((mesh.vertices.col(4) - Eigen::Vector3d(1, 1.5, 0.25)).norm(), 1e-15);
 }
 
@@ -103,7 +103,7 @@ TEST(Tessellate, ReproducesAParaboloidUpToItsEdges) {
   const auto height = [](double x, double y) { return x * x - 2 * y * y + x * y + y; };
   const Eigen::Matrix3Xd points =
       lattice(5, 4, [&](double s, double t) { return Eigen::Vector3d(s, t, height(s, t)); });
-  const SurfaceMesh mesh = tessellate(5, 4, points, 7);
+  const SurfaceMesh mesh = tessellate({5, 4, 1}, points, 7);
   for (Eigen::Index i = 0; i < mesh.vertices.cols(); ++i) {
     const double x = mesh.vertices(0, i), y = mesh.vertices(1, i);
     EXPECT_NEAR(mesh.vertices(2, i), height(x, y), 1e-14);
@@ -118,7 +118,7 @@ struct SphereErrors {
 };
 
 SphereErrors sphereErrors(int count, int refine) {
-  const SurfaceMesh mesh = tessellate(count, count, lattice(count, count, onSphere), refine);
+  const SurfaceMesh mesh = tessellate({count, count, 1}, lattice(count, count, onSphere), refine);
   expectUnitNormals(mesh);
   expectTrianglesFollowNormals(mesh);
   return {(mesh.vertices.colwise().norm().array() - 1).abs().maxCoeff(),
@@ -136,7 +136,7 @@ TEST(Tessellate, SphereConvergesWithTheLattice) {
 TEST(Tessellate, SphereAreaConvergesWithRefinement) {
   const double area = 1.2 * 2 * std::sin(0.6);
   const auto areaError = [&](int refine) {
-    const SurfaceMesh mesh = tessellate(9, 9, lattice(9, 9, onSphere), refine);
+    const SurfaceMesh mesh = tessellate({9, 9, 1}, lattice(9, 9, onSphere), refine);
     double sum = 0;
     for (Eigen::Index i = 0; i < mesh.triangles.cols(); ++i) {
       sum += triangleNormal(mesh, i).norm() / 2;
@@ -153,24 +153,24 @@ TEST(Tessellate, PoleGetsTheNormalOfItsSurroundings) {
     return {std::cos(latitude) * std::cos(longitude), std::cos(latitude) * std::sin(longitude),
             std::sin(latitude)};
   };
-  const SurfaceMesh mesh = tessellate(25, 13, lattice(25, 13, cap), 2);
+  const SurfaceMesh mesh = tessellate({25, 13, 1}, lattice(25, 13, cap), 2);
   expectUnitNormals(mesh);
   EXPECT_GT((mesh.normals.array() * mesh.vertices.array()).colwise().sum().minCoeff(), 0.98);
 }
 
 TEST(Tessellate, CollapsedLatticesHaveFiniteNormals) {
   const Eigen::Matrix3Xd point = Eigen::Vector3d(1, 2, 3).replicate(1, 12);
-  expectUnitNormals(tessellate(4, 3, point, 2));
+  expectUnitNormals(tessellate({4, 3, 1}, point, 2));
   const Eigen::Matrix3Xd line =
       lattice(4, 3, [](double s, double t) { return Eigen::Vector3d(s + t, 2 * s + 2 * t, 0); });
-  expectUnitNormals(tessellate(4, 3, line, 2));
+  expectUnitNormals(tessellate({4, 3, 1}, line, 2));
 }
 
 TEST(Tessellate, NormalsDoNotDependOnTheUnit) {
   const Eigen::Matrix3Xd points = lattice(5, 4, onSphere);
-  const Eigen::Matrix3Xd normals = tessellate(5, 4, points, 2).normals;
+  const Eigen::Matrix3Xd normals = tessellate({5, 4, 1}, points, 2).normals;
   for (const double unit : {1e-100, 1e-6, 1e6, 1e100}) {
-    EXPECT_LT((tessellate(5, 4, points * unit, 2).normals - normals).norm(), 1e-12) << unit;
+    EXPECT_LT((tessellate({5, 4, 1}, points * unit, 2).normals - normals).norm(), 1e-12) << unit;
   }
 }
 

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "solve/exact_hessian.h"
+#include "energy/exact_hessian.h"
 #include "solve/reference_solver.h"
 #include "tests/solve/sample_grids.h"
 #include "tests/support/validated_device.h"
@@ -42,11 +42,10 @@ TEST_F(InverseDesignTest, AdjointGradientIsThatOfFiniteDifferences) {
     return computeShapeError(grid.shape, moved.positions, targets).objective;
   };
 
-  DeviceGrid deviceGrid(device_, grid_);
-  deviceGrid.uploadPositions(equilibrium.positions);
-  AdjointSolver solver(device_, deviceGrid);
+  MultigridSolver solver(device_, grid_);
+  solver.moveTo(equilibrium.positions);
   const ShapeError error = computeShapeError(grid_.shape, equilibrium.positions, targets);
-  const Adjoint adjoint = solver.solve(error.gradient, {.tolerance = 1e-5});
+  const Adjoint adjoint = solver.solveAdjoint(error.gradient, {.tolerance = 1e-5});
   EXPECT_TRUE(adjoint.converged) << adjoint.residual << " after " << adjoint.products;
   const LateralRest lateral(grid_.shape);
   const VectorXd gradient = lateral.gradient(grid_, equilibrium.positions, adjoint.lambda);
@@ -68,14 +67,12 @@ TEST_F(InverseDesignTest, AdjointSolvesTheExactSystem) {
   const Equilibrium equilibrium = solveFirst();
   const Matrix3Xd targets = bentFurther(grid_.shape, equilibrium.positions);
   const ShapeError error = computeShapeError(grid_.shape, equilibrium.positions, targets);
-  DeviceGrid deviceGrid(device_, grid_);
-  deviceGrid.uploadPositions(equilibrium.positions);
-  const Adjoint adjoint = AdjointSolver(device_, deviceGrid).solve(error.gradient);
+  MultigridSolver solver(device_, grid_);
+  solver.moveTo(equilibrium.positions);
+  const Adjoint adjoint = solver.solveAdjoint(error.gradient);
   EXPECT_TRUE(adjoint.converged);
   EXPECT_LE(adjoint.products, 60);
-  const StrutEnergy energy(grid_);
-  const Matrix3Xd product =
-      ExactHessian(grid_, energy, equilibrium.positions).product(adjoint.lambda);
+  const Matrix3Xd product = ExactHessian(grid_, equilibrium.positions).product(adjoint.lambda);
   EXPECT_LT((product - error.gradient).norm(), 3e-3 * error.gradient.norm());
 }
 
@@ -92,9 +89,9 @@ TEST_F(InverseDesignTest, OptimisationMeetsAReachableTarget) {
   const Matrix3Xd targets =
       middleLayer(grid_.shape, solveReference(other, {.tolerance = 1e-11}).positions);
 
-  DeviceGrid deviceGrid(device_, grid_);
-  deviceGrid.uploadPositions(first.positions);
-  InverseDesigner designer(device_, grid_, deviceGrid, targets, {.optimiseSteps = 20});
+  MultigridSolver solver(device_, grid_);
+  solver.moveTo(first.positions);
+  InverseDesigner designer(solver, targets, {.optimiseSteps = 20});
   const InverseDesign result = designer.run(first);
   EXPECT_LT(result.steps.back().rmsPercent, 0.15 * result.steps.front().rmsPercent)
       << result.steps.size() << " steps, " << result.ending << ", "
@@ -115,11 +112,11 @@ TEST_F(InverseDesignTest, ShrinkStaysWithinItsBound) {
   const LateralRest lateral(grid_.shape);
   const VectorXd printed = lateral.lengthsAt(grid_.positions);
   constexpr double kLimit = 0.12;
-  DeviceGrid deviceGrid(device_, grid_);
-  InverseDesigner designer(device_, grid_, deviceGrid, targets,
+  MultigridSolver solver(device_, grid_);
+  InverseDesigner designer(solver, targets,
                            {.compensateRounds = 2, .optimiseSteps = 6, .shrinkLimit = kLimit});
   const InverseDesign result = designer.run(first);
-  const VectorXd rest = lateral.of(grid_);
+  const VectorXd rest = lateral.of(solver.grid());
   EXPECT_GE((rest - (1 - kLimit) * printed).minCoeff(), -1e-12);
   EXPECT_LE((rest - printed).maxCoeff(), 1e-12);
   EXPECT_LE(result.steps.back().largestShrinkPercent, 100 * kLimit + 1e-9);

@@ -21,12 +21,12 @@ StrutGrid gridThrough(const GridShape& shape,
   grid.stiffness = StrutValues(shape);
   grid.angleWeight = 1;
   grid.spacing = 0;
-  for (const Strut& strut : listStruts(shape)) {
+  forEachStrut(shape, [&](const Strut& strut) {
     const double length = (grid.positions.col(strut.to) - grid.positions.col(strut.from)).norm();
     valueAt(grid.rest, strut) = length / (1 + strain);
     valueAt(grid.stiffness, strut) = 5;
     grid.spacing = std::max(grid.spacing, length);
-  }
+  });
   return grid;
 }
 

@@ -96,9 +96,9 @@ TEST_F(SharePicture, SurfaceThroughFewerVerticesHasTheirShares) {
   const StrutShares uploaded(device_, StrutValues(grid.shape), shares);
   const GridResources resources(device_, onDevice, &uploaded);
   OffscreenTarget target(device_, kSide, kSide, 4);
-  const GridPainter painter(device_, target.renderPass(), target.samples());
+  const GridPainter painter(device_, target.pass());
   const Camera camera = cameraAbove(grid);
-  const Image image{kSide, kSide, target.render([&](const vk::raii::CommandBuffer& commands) {
+  const Image image{kSide, kSide, target.render([&](const CommandBuffer& commands) {
                       painter.draw(commands, resources, {.isSurface = true, .mostQuads = 20},
                                    viewOf(onDevice, kUnmoved, camera, kSide));
                     })};

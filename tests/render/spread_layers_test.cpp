@@ -35,14 +35,14 @@ TEST(SpreadLayers, LayersKeepTheirShape) {
   const StrutGrid grid = saddleGrid({6, 5, 7});
   const StrutGrid spread = spreadLayers(grid, 2);
   EXPECT_NO_THROW(validate(spread));
-  for (const Strut& strut : listStruts(grid.shape)) {
+  forEachStrut(grid.shape, [&](const Strut& strut) {
     if (strut.direction != Strut::Direction::w) {
       const auto arm = [&](const StrutGrid& g) -> Eigen::Vector3d {
         return g.positions.col(strut.to) - g.positions.col(strut.from);
       };
       EXPECT_TRUE(arm(spread).isApprox(arm(grid), 1e-9));
     }
-  }
+  });
 }
 
 }  // namespace

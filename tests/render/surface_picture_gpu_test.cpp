@@ -57,7 +57,7 @@ TEST_F(SurfacePicture, CurvedLayerCoversTheCatmullRomSurface) {
   const StrutGrid grid = saddleGrid({4, 5, 1});
   const Camera camera = cameraFor(grid);
   const Image image = draw(grid, camera);
-  const SurfaceMesh mesh = tessellate(4, 5, grid.positions, 60);
+  const SurfaceMesh mesh = tessellate({4, 5, 1}, grid.positions, 60);
   std::vector<bool> covered(kPictureWidth * kPictureHeight);
   for (Eigen::Index n = 0; n < mesh.vertices.cols(); ++n) {
     const glm::dvec2 place = pixelOf(image, camera, mesh.vertices.col(n));

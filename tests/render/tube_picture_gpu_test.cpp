@@ -51,9 +51,9 @@ class TubePicture : public DeviceTest {
     const StrutShares shares(device_, StrutValues(grid.shape()));
     const GridResources resources(device_, grid, &shares);
     OffscreenTarget target(device_, kPictureSide, kPictureSide, 4);
-    const GridPainter painter(device_, target.renderPass(), target.samples());
+    const GridPainter painter(device_, target.pass());
     const LocalView view = viewOf(grid, Eigen::Isometry3d::Identity(), camera, kPictureSide);
-    return {kPictureSide, kPictureSide, target.render([&](const vk::raii::CommandBuffer& commands) {
+    return {kPictureSide, kPictureSide, target.render([&](const CommandBuffer& commands) {
               painter.draw(commands, resources, {.style = style, .directions = directions}, view);
             })};
   }

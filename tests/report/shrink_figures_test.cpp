@@ -12,7 +12,7 @@ using testing::HasSubstr;
 
 /// 3 x 2 cells, 3 layers 0.2 apart; the first u strut of each row bends by `theta` towards the top.
 StrutGrid bentGrid(double theta) {
-  const GridDesign design = designFromBendAngles({3, 2, 3, 0.2, 1, theta, 0, 0, 0});
+  const GridDesign design = designFromBendAngles({3, 2, 1, theta, 0, 0, 0}, 3, 0.2);
   const Eigen::Matrix3Xd printed = inPlaneGrid(design, {}, Scaling::normalised).positions;
   return stackedGrid(design, {}, Scaling::normalised, printed);
 }

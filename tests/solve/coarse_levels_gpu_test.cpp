@@ -42,9 +42,7 @@ StrutGrid unevenGrid(const GridShape& shape) {
 /// Compressed everywhere: no tension, which would hold rotations.
 StrutGrid compressedGrid(const GridShape& shape) {
   StrutGrid grid = unevenGrid(shape);
-  for (const Strut& strut : listStruts(shape)) {
-    valueAt(grid.rest, strut) *= 3;
-  }
+  forEachStrut(shape, [&](const Strut& strut) { valueAt(grid.rest, strut) *= 3; });
   return grid;
 }
 
@@ -68,11 +66,11 @@ double relativeDifference(const MatrixXd& a, const MatrixXd& b) {
 }
 
 Buffer vertexVector(const Device& device, const GridShape& shape) {
-  using Usage = vk::BufferUsageFlagBits;
-  return {device, shape.vertexCount() * sizeof(vec4),
-          Usage::eStorageBuffer | Usage::eStorageTexelBuffer | Usage::eTransferSrc |
-              Usage::eTransferDst,
-          MemoryKind::device};
+  using Usage = BufferUsage;
+  return {
+      device, shape.vertexCount() * sizeof(vec4),
+      Usage::storageBuffer | Usage::storageTexelBuffer | Usage::transferSrc | Usage::transferDst,
+      MemoryKind::device};
 }
 
 std::vector<vec4> packVertices(const VectorXd& values) {

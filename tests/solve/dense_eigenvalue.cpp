@@ -2,7 +2,7 @@
 
 #include <Eigen/Dense>
 
-#include "solve/energy.h"
+#include "energy/strut_energy.h"
 #include "solve/reference_solver.h"
 #include "tests/solve/dense_hessian.h"
 
@@ -54,7 +54,7 @@ StrutGrid tightRimmedSheet(const GridShape& shape, double shrink) {
                                      kLayerSpacing * (n / shape.layerVertexCount()));
   }
   const Vector3d middle(0.5 * (shape.verticesU - 1), 0.5 * (shape.verticesV - 1), 0);
-  for (const Strut& strut : listStruts(shape)) {
+  forEachStrut(shape, [&](const Strut& strut) {
     const Vector3d centre = (grid.positions.col(strut.from) + grid.positions.col(strut.to)) / 2;
     const double rim = ((centre - middle).cwiseQuotient(Vector3d(middle.x(), middle.y(), 1)))
                            .head<2>()
@@ -63,7 +63,7 @@ StrutGrid tightRimmedSheet(const GridShape& shape, double shrink) {
     const bool vertical = strut.direction == Strut::Direction::w;
     valueAt(grid.rest, strut) = vertical ? kLayerSpacing : 1 - shrink * rim * rim;
     valueAt(grid.stiffness, strut) = vertical ? 40 : 5;
-  }
+  });
   return grid;
 }
 

@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "solve/energy.h"
+#include "energy/strut_energy.h"
 
 namespace morphgrid {
 namespace {
@@ -62,17 +62,16 @@ MatrixXd denseHessian(const StrutGrid& grid) {
   const int size = 3 * grid.shape.vertexCount();
   const Eigen::Matrix3Xd x = grid.positions / grid.spacing;
   MatrixXd matrix = MatrixXd::Zero(size, size);
-  for (const Strut& strut : listStruts(grid.shape)) {
+  forEachStrut(grid.shape, [&](const Strut& strut) {
     const Vector3d e = x.col(strut.to) - x.col(strut.from);
     const Matrix3d along = e * e.transpose() / e.squaredNorm();
     const double stretch = 1 - valueAt(grid.rest, strut) / grid.spacing / e.norm();
     addLink(matrix, strut,
             2 * valueAt(grid.stiffness, strut) *
                 (along + std::max(0.0, stretch) * (Matrix3d::Identity() - along)));
-  }
-  for (const Corner& corner : listCorners(grid.shape)) {
-    addCorner(matrix, corner, x, grid.angleWeight);
-  }
+  });
+  forEachCorner(grid.shape,
+                [&](const Corner& corner) { addCorner(matrix, corner, x, grid.angleWeight); });
   return matrix;
 }
 
@@ -94,9 +93,7 @@ MatrixXd denseExactHessian(const StrutGrid& grid) {
 
 MatrixXd denseLaplacian(const GridShape& shape) {
   MatrixXd matrix = MatrixXd::Zero(3 * shape.vertexCount(), 3 * shape.vertexCount());
-  for (const Strut& strut : listStruts(shape)) {
-    addLink(matrix, strut, Matrix3d::Identity());
-  }
+  forEachStrut(shape, [&](const Strut& strut) { addLink(matrix, strut, Matrix3d::Identity()); });
   return matrix;
 }
 

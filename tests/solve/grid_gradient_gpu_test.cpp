@@ -4,7 +4,7 @@
 
 #include <random>
 
-#include "solve/energy.h"
+#include "energy/strut_energy.h"
 #include "tests/solve/sample_grids.h"
 #include "tests/solve/vertex_vectors.h"
 #include "tests/support/validated_device.h"
@@ -54,9 +54,8 @@ StrutGrid wildGrid(const GridShape& shape) {
   grid.positions = shaken(grid.positions, 0.1, 6);
   std::mt19937 random(7);
   std::uniform_real_distribution<double> factor(0.5, 2);
-  for (const Strut& strut : listStruts(shape)) {
-    valueAt(grid.stiffness, strut) *= factor(random);
-  }
+  forEachStrut(shape,
+               [&](const Strut& strut) { valueAt(grid.stiffness, strut) *= factor(random); });
   return grid;
 }
 

@@ -54,10 +54,10 @@ TEST_F(Jacobi, UnitsOfLengthDoNotMatter) {
 
 TEST_F(Jacobi, FlatGridAtRestStaysFlatAndConvergesAtOnce) {
   StrutGrid grid = bentGrid({5, 6, 2}, 4);
-  for (const Strut& strut : listStruts(grid.shape)) {
+  forEachStrut(grid.shape, [&](const Strut& strut) {
     valueAt(grid.rest, strut) =
         (grid.positions.col(strut.to) - grid.positions.col(strut.from)).norm();
-  }
+  });
   const Equilibrium result = solve(grid);
   EXPECT_TRUE(result.converged);
   EXPECT_LT((result.positions - grid.positions).norm(), 1e-6);

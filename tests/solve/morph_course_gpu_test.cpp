@@ -5,8 +5,6 @@
 
 #include <cmath>
 
-#include "solve/device_grid.h"
-#include "solve/multigrid_solver.h"
 #include "tests/solve/sample_grids.h"
 #include "tests/support/validated_device.h"
 
@@ -20,8 +18,9 @@ TEST_F(Morph, StripRollsUpInProportionToItsShrink) {
   constexpr int kSteps = 4;
   StrutGrid grid = circularStrip(20, 3, kTheta, 0.3);
   grid.angleWeight = 1e-3;
+  MultigridSolver solver(device_, grid);
   const MorphCourse course =
-      followMorph(device_, grid, {.steps = kSteps, .solve = {.energyTolerance = 1e-12}});
+      followMorph(solver, {.steps = kSteps, .solve = {.energyTolerance = 1e-12}});
   EXPECT_EQ(course.unconverged, 0);
   ASSERT_EQ(course.positions.size(), kSteps + 1);
   EXPECT_EQ(course.positions.front(), grid.positions);
@@ -38,17 +37,17 @@ TEST_F(Morph, StripRollsUpInProportionToItsShrink) {
 TEST_F(Morph, EndsWhereTheGridRests) {
   const StrutGrid grid = bentGrid({9, 7, 3}, 3);
   std::vector<int> told;
+  MultigridSolver solver(device_, grid);
   const MorphCourse course =
-      followMorph(device_, grid, {.steps = 3, .onStep = [&](int step) { told.push_back(step); }});
-  DeviceGrid deviceGrid(device_, grid);
-  const Equilibrium direct = solveMultigrid(device_, grid, deviceGrid, {});
+      followMorph(solver, {.steps = 3, .onStep = [&](int step) { told.push_back(step); }});
+  const Equilibrium direct = solver.solve({});
   EXPECT_NEAR(course.end.energy, direct.energy, 1e-6 * direct.energy);
   EXPECT_THAT(told, testing::ElementsAre(1, 2, 3));
 }
 
 TEST_F(Morph, StepsThatDoNotConvergeAreCounted) {
-  const MorphCourse course =
-      followMorph(device_, bentGrid({9, 7, 3}, 3), {.steps = 2, .solve = {.iterationLimit = 1}});
+  MultigridSolver solver(device_, bentGrid({9, 7, 3}, 3));
+  const MorphCourse course = followMorph(solver, {.steps = 2, .solve = {.iterationLimit = 1}});
   EXPECT_EQ(course.unconverged, 2);
   EXPECT_EQ(course.positions.size(), 3);
 }

@@ -30,7 +30,7 @@ ReferenceProblem loadReferenceProblem(const std::string& name) {
   grid.stiffness = StrutValues(grid.shape);
   grid.angleWeight = json["weight_angle"];
   grid.spacing = 0;
-  for (const Strut& strut : listStruts(grid.shape)) {
+  forEachStrut(grid.shape, [&](const Strut& strut) {
     const bool vertical = strut.direction == Strut::Direction::w;
     const double weight = json[vertical ? "weight_vertical" : "weight_lateral"];
     const double rest = valueAt(grid.rest, strut);
@@ -39,7 +39,7 @@ ReferenceProblem loadReferenceProblem(const std::string& name) {
     if (!vertical) {
       grid.spacing = std::max(grid.spacing, length);
     }
-  }
+  });
   problem.shapeopPositions = toPositions(json["final_positions"]);
   problem.shapeopEnergy = json["energy"].back();
   problem.minimumEnergy = json["minimum_energy"];

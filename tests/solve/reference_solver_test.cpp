@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "solve/energy.h"
+#include "energy/strut_energy.h"
 #include "tests/solve/reference_problem.h"
 #include "tests/solve/sample_grids.h"
 

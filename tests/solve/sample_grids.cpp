@@ -21,13 +21,13 @@ StrutGrid bentGrid(const GridShape& shape, unsigned seed) {
   }
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> percent(-0.03, 0.03);
-  for (const Strut& strut : listStruts(shape)) {
+  forEachStrut(shape, [&](const Strut& strut) {
     const bool vertical = strut.direction == Strut::Direction::w;
     const double bend = strut.direction == Strut::Direction::u ? 0.05 : -0.03;
     valueAt(grid.rest, strut) =
         vertical ? kLayerSpacing : 0.9 - bend * strut.layer + percent(random);
     valueAt(grid.stiffness, strut) = vertical ? 40 : 5;
-  }
+  });
   return grid;
 }
 
@@ -39,7 +39,7 @@ Eigen::Matrix3Xd shaken(const Eigen::Matrix3Xd& positions, double amount, unsign
 
 StrutGrid circularStrip(int nodes, int layers, double theta, double layerSpacing) {
   const GridDesign design =
-      designFromBendAngles({nodes, 2, layers, layerSpacing, 1.0, theta, theta, 0, 0});
+      designFromBendAngles({nodes, 2, 1.0, theta, theta, 0, 0}, layers, layerSpacing);
   const Weights weights;
   return stackedGrid(design, weights, Scaling::normalised,
                      inPlaneGrid(design, weights, Scaling::normalised).positions);

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "core/error.h"
-#include "solve/energy.h"
+#include "energy/strut_energy.h"
 #include "solve/preconditioners.h"
 #include "tests/solve/dense_eigenvalue.h"
 #include "tests/solve/reference_problem.h"
@@ -103,9 +103,7 @@ TEST(SmallestEigenvalue, DoesNotDependOnUnits) {
 TEST(SmallestEigenvalue, OfAMechanismIsUndecided) {
   StrutGrid grid = bentGrid({3, 3, 1}, 0);
   grid.angleWeight = 0;
-  for (const Strut& strut : listStruts(grid.shape)) {
-    valueAt(grid.rest, strut) = 1;
-  }
+  forEachStrut(grid.shape, [&](const Strut& strut) { valueAt(grid.rest, strut) = 1; });
   const SmallestEigenvalue found = compute(grid, {.motions = Motions::inPlane});
   EXPECT_NEAR(found.value, 0, 1e-12);
   EXPECT_EQ(verdictOf(found), Verdict::undecided);

@@ -2,6 +2,7 @@
 
 #include "core/error.h"
 #include "solve/jacobi_solver.h"
+#include "solve/multigrid_solver.h"
 #include "solve/preconditioned_descent.h"
 #include "tests/solve/sample_grids.h"
 #include "tests/support/validated_device.h"
@@ -20,6 +21,21 @@ TEST_P(SolveMemoryOf, MultigridIsWhatItTakes) {
   PreconditionedDescent descent(device_, deviceGrid, Precision::precise);
   descent.positions();
   EXPECT_NEAR(peak() / multigridMemory(grid.shape).device, 1, 0.15);
+}
+
+TEST_P(SolveMemoryOf, InverseDesignIsWhatAdjointsTakeBesides) {
+  const StrutGrid grid = bentGrid(GetParam(), 5);
+  MultigridSolver solver(device_, grid);
+  solver.solve({.iterationLimit = 1, .startsNear = true});
+  solver.solveAdjoint(Eigen::Matrix3Xd::Random(3, grid.shape.vertexCount()), {.productLimit = 1});
+  const double before = peak();
+  EXPECT_NEAR(before / inverseDesignMemory(grid.shape).device, 1, 0.15);
+  // And no more for other rest lengths, positions or right sides.
+  solver.setRest(grid.rest);
+  solver.moveTo(grid.positions);
+  solver.solve({.iterationLimit = 1, .startsNear = true});
+  solver.solveAdjoint(Eigen::Matrix3Xd::Random(3, grid.shape.vertexCount()), {.productLimit = 1});
+  EXPECT_EQ(peak(), before);
 }
 
 TEST_P(SolveMemoryOf, JacobiIsWhatItTakes) {

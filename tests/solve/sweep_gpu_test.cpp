@@ -21,9 +21,8 @@ StrutGrid wildGrid(const GridShape& shape, Stiffness stiffness) {
   if (stiffness == Stiffness::varied) {
     std::mt19937 random(7);
     std::uniform_real_distribution<double> factor(0.5, 2);
-    for (const Strut& strut : listStruts(shape)) {
-      valueAt(grid.stiffness, strut) *= factor(random);
-    }
+    forEachStrut(shape,
+                 [&](const Strut& strut) { valueAt(grid.stiffness, strut) *= factor(random); });
   }
   return grid;
 }

@@ -20,9 +20,8 @@ class DeviceTest : public testing::Test {
 /// With the validation layers, as for windows, but for none: what it does is cut into short pieces.
 inline DeviceOptions sharedDeviceOptions() {
   DeviceOptions options{.selection = "", .validation = true};
-  options.presentation =
-      Presentation{{VK_KHR_SURFACE_EXTENSION_NAME},
-                   [](VkInstance, VkPhysicalDevice, std::uint32_t) { return true; }};
+  options.presentation = Presentation{
+      {"VK_KHR_surface"}, [](VkInstance, VkPhysicalDevice, std::uint32_t) { return true; }};
   return options;
 }
 

@@ -56,9 +56,9 @@ TEST(DistanceColors, OfColumnsAreTheirDistancesOverTheLargest) {
 TEST(DistanceColors, OfStrutsAreTheMeansOfTheirEnds) {
   const Result result;
   const ColorShares colors = computeColors(Coloring::distance, result.shown, result.snapshot);
-  for (const Strut& strut : listStruts(result.shown.grid->shape)) {
+  forEachStrut(result.shown.grid->shape, [&](const Strut& strut) {
     EXPECT_NEAR(valueAt(colors.shares, strut), (strut.from % 6 + strut.to % 6) / 10.0, 1e-15);
-  }
+  });
 }
 
 TEST(DistanceColors, AreMeasuredWhereTheResultLiesInTheWorld) {

@@ -6,7 +6,7 @@
 #include <barrier>
 #include <thread>
 
-#include "solve/energy.h"
+#include "energy/strut_energy.h"
 
 // Only what follows: Eigen's types above must keep the alignment that the other files know.
 #pragma GCC target("avx2,fma")

@@ -18,8 +18,9 @@ FidelityCase sceneCase(const std::filesystem::path& folder, const std::string& n
 
 Scene randomScene(const std::string& name, unsigned seed) {
   Scene scene{.name = name, .title = fmt::format("Random patch {}", seed), .file = name};
-  scene.surface = std::make_shared<BezierPatch>(randomPatch(seed));
-  scene.design = requestForRandomPatch(surveySurface(*scene.surface));
+  const BezierPatch patch = randomPatch(seed);
+  scene.surface = PatchRequest{patch.controlPoints(), {}};
+  scene.design = requestForRandomPatch(surveySurface(patch));
   return scene;
 }
 

@@ -16,11 +16,12 @@ constexpr double kGoalMax = 0.4;
 FidelityRun runForFidelity(Scene scene, const std::filesystem::path& folder,
                            const DeviceOptions& device) {
   scene.pictures.enabled = false;
+  const SceneDesign designed = designScene(scene);
   FidelityRun run{.record = runScene(scene, {folder, device, true, {}, {}}),
                   .maxShrinkage = scene.design.maxShrinkage,
-                  .targets = designScene(scene).targets.value(),
+                  .targets = designed.targets.value(),
                   .middle = {},
-                  .view = scene.mesh ? kMeshView : kPatchView};
+                  .view = designed.view()};
   if (run.record.deviceFailure) {
     throw DeviceError(*run.record.deviceFailure);
   }

@@ -32,11 +32,9 @@ struct MachineBenchmark {
 struct Probe {
   Probe(const Device& device, ShaderCode spirv, std::uint32_t count)
       : source(device, count * sizeof(vec4),
-               vk::BufferUsageFlagBits::eStorageTexelBuffer | vk::BufferUsageFlagBits::eTransferDst,
-               MemoryKind::device),
-        destination(device, count * sizeof(vec4), vk::BufferUsageFlagBits::eStorageBuffer,
-                    MemoryKind::device),
-        texels(device, source, vk::Format::eR32G32B32A32Sfloat, sizeof(vec4), TexelAccess::image),
+               BufferUsage::storageTexelBuffer | BufferUsage::transferDst, MemoryKind::device),
+        destination(device, count * sizeof(vec4), BufferUsage::storageBuffer, MemoryKind::device),
+        texels(device, source, TexelFormat::float4, TexelAccess::image),
         kernel(device, spirv, {{kBindingSource, &texels}, {kBindingDestination, &destination}}, 0),
         stream(device) {
     // Below 1: no step may lead to infinity or to denormals, which are slow.

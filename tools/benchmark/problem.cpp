@@ -47,19 +47,15 @@ StrutGrid saddleGrid(int vertexCount) {
   grid.positions.resize(3, shape.vertexCount());
   grid.rest = StrutValues(shape);
   grid.stiffness = StrutValues(shape);
-  for (int k = 0; k < kLayers; ++k) {
-    for (int j = 0; j < edge; ++j) {
-      for (int i = 0; i < edge; ++i) {
-        grid.positions.col(shape.index(i, j, k)) = Eigen::Vector3d(i, j, kTau * k);
-      }
-    }
-  }
-  for (const Strut& strut : listStruts(shape)) {
+  forEachVertex(shape, [&](const GridPlace& place) {
+    grid.positions.col(shape.index(place)) = Eigen::Vector3d(place.i, place.j, kTau * place.layer);
+  });
+  forEachStrut(shape, [&](const Strut& strut) {
     const bool vertical = strut.direction == Strut::Direction::w;
     const double sign = strut.direction == Strut::Direction::u ? 1 : -1;
     valueAt(grid.rest, strut) = vertical ? kTau : 0.9 + 0.02 * sign * strut.layer;
     valueAt(grid.stiffness, strut) = vertical ? 40 : 5;
-  }
+  });
   return grid;
 }
 

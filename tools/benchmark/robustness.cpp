@@ -11,7 +11,7 @@
 #include "core/atomic_file.h"
 #include "core/error.h"
 #include "core/interrupt.h"
-#include "solve/energy.h"
+#include "energy/strut_energy.h"
 #include "solve/multigrid_solver.h"
 #include "solve/preconditioners.h"
 #include "solve/reference_solver.h"

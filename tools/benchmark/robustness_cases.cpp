@@ -46,8 +46,8 @@ class SceneCases {
 
 std::string nodes(int count) { return fmt::format("grid.nodes_long={}", count); }
 
-std::function<GridDesign()> bent(const BendAngleRequest& request) {
-  return [request] { return designFromBendAngles(request); };
+std::function<GridDesign()> bent(const BendAngleRequest& request, int layers, double tau) {
+  return [=] { return designFromBendAngles(request, layers, tau); };
 }
 
 GridDesign randomDesign(unsigned seed) {
@@ -73,9 +73,9 @@ std::function<void(StrutGrid&)> shake(double amount) {
 void spreadStiffness(StrutGrid& grid, double spread) {
   std::mt19937 random(1);
   std::uniform_real_distribution<double> exponent(-1, 1);
-  for (const Strut& strut : listStruts(grid.shape)) {
+  forEachStrut(grid.shape, [&](const Strut& strut) {
     valueAt(grid.stiffness, strut) *= std::pow(spread, exponent(random));
-  }
+  });
 }
 
 void addWeights(std::vector<RobustnessCase>& cases, const SceneCases& scenes) {
@@ -115,25 +115,26 @@ void addLayerCounts(std::vector<RobustnessCase>& cases, const SceneCases& scenes
          scenes.design("egg_chair", {nodes(40), fmt::format("grid.layers={}", layers)}, 0.35)});
   }
   cases.push_back(
-      {"layers", "6 x 5 nodes, 64 layers", bent({6, 5, 64, 0.05, 1, 0.1, 0.1, -0.05, 0.1})});
+      {"layers", "6 x 5 nodes, 64 layers", bent({6, 5, 1, 0.1, 0.1, -0.05, 0.1}, 64, 0.05)});
 }
 
 void addShapes(std::vector<RobustnessCase>& cases) {
-  const auto add = [&](const char* name, const BendAngleRequest& request) {
-    cases.push_back({"shapes", name, bent(request)});
+  const auto add = [&](const char* name, const BendAngleRequest& request, int layers = 3,
+                       double tau = 0.35) {
+    cases.push_back({"shapes", name, bent(request, layers, tau)});
   };
-  add("1000 x 3, half a turn", {1000, 3, 3, 0.35, 1, 0.003, 0.003, 0, 0});
-  add("3 x 1000, half a turn", {3, 1000, 3, 0.35, 1, 0, 0, 0.003, 0.003});
-  add("1000 x 3, spirals of 3 turns", {1000, 3, 3, 0.35, 1, 0.04, -0.04, 0, 0});
-  add("1000 x 3, saddle", {1000, 3, 3, 0.35, 1, 0.003, 0.003, -0.1, -0.1});
-  add("1 x 1000, half a turn", {1, 1000, 3, 0.35, 1, 0, 0, 0.003, 0.003});
-  add("1000 x 1, half a turn", {1000, 1, 3, 0.35, 1, 0.003, 0.003, 0, 0});
-  add("1 x 1", {1, 1, 3, 0.35, 1, 0.3, 0.3, 0.2, 0.2});
-  add("1 x 1, two layers", {1, 1, 2, 0.35, 1, 0.3, 0.3, 0.2, 0.2});
-  add("30 x 3 (the strip)", {30, 3, 4, 0.15, 1, 1, -1, 0, 0});
-  add("60 x 3, tight spirals", {60, 3, 3, 0.15, 1, 1.2, -1.2, 0, 0});
-  add("24 x 24, flat", {24, 24, 3, 0.35, 1, 0, 0, 0, 0});
-  add("24 x 24, half a sphere", {24, 24, 3, 0.35, 1, 0.13, 0.13, 0.13, 0.13});
+  add("1000 x 3, half a turn", {1000, 3, 1, 0.003, 0.003, 0, 0});
+  add("3 x 1000, half a turn", {3, 1000, 1, 0, 0, 0.003, 0.003});
+  add("1000 x 3, spirals of 3 turns", {1000, 3, 1, 0.04, -0.04, 0, 0});
+  add("1000 x 3, saddle", {1000, 3, 1, 0.003, 0.003, -0.1, -0.1});
+  add("1 x 1000, half a turn", {1, 1000, 1, 0, 0, 0.003, 0.003});
+  add("1000 x 1, half a turn", {1000, 1, 1, 0.003, 0.003, 0, 0});
+  add("1 x 1", {1, 1, 1, 0.3, 0.3, 0.2, 0.2});
+  add("1 x 1, two layers", {1, 1, 1, 0.3, 0.3, 0.2, 0.2}, 2);
+  add("30 x 3 (the strip)", {30, 3, 1, 1, -1, 0, 0}, 4, 0.15);
+  add("60 x 3, tight spirals", {60, 3, 1, 1.2, -1.2, 0, 0}, 3, 0.15);
+  add("24 x 24, flat", {24, 24, 1, 0, 0, 0, 0});
+  add("24 x 24, half a sphere", {24, 24, 1, 0.13, 0.13, 0.13, 0.13});
 }
 
 void addThin(std::vector<RobustnessCase>& cases, const SceneCases& scenes) {

@@ -80,7 +80,7 @@ std::string describeTargets(const Comparison& comparison) {
   if (!multigrid) {
     return {};
   }
-  const Target target = targetOf(comparison.name);
+  const SolveTarget target = targetOf(comparison.name);
   const auto arrival = multigrid->arrival(comparison.leastEnergy());
   if (!arrival) {
     return "  multigrid does not reach the energy: MISSED\n";

@@ -12,14 +12,14 @@ struct Bounds {
 };
 
 /// What multigrid is to reach on a problem, from flat to kEnergyError.
-struct Target {
+struct SolveTarget {
   std::optional<Bounds> seconds;
   std::optional<Bounds> shareOfReference;  ///< Of the time that `reference` takes in the same run.
   std::optional<Bounds> cycles;            ///< V-cycles, in equivalents on the finest grid.
 };
 
 /// Empty when nothing is wanted of the problem.
-Target targetOf(const std::string& problem);
+SolveTarget targetOf(const std::string& problem);
 
 constexpr double kMostBytesPerVertex = 900;  ///< On the device, three layers.
 /// What does not grow with the grid weighs more on smaller ones.

@@ -1,0 +1,89 @@
+#include "app/restored_run.h"
+
+namespace morphgrid {
+namespace {
+
+SceneDesign designOf(RunState& state) {
+  SceneDesign designed;
+  designed.design = std::move(state.design);
+  designed.measurement = state.record.measurement;
+  designed.net = state.record.net;
+  designed.targets = std::move(state.targets);
+  designed.mesh = state.record.mesh;
+  designed.notices = state.record.notices;
+  if (state.sampling) {
+    designed.ownView = kMeshView;
+  }
+  return designed;
+}
+
+Stage lastStage(RunState& state) {
+  return {.grid = std::move(state.grid),
+          .onDevice = nullptr,
+          .solver = nullptr,
+          .equilibrium = state.equilibrium(),
+          .printScale = state.record.printScale};
+}
+
+}  // namespace
+
+RunState stateOf(const Scene& scene, const SceneDesign& designed, const Simulation& simulation) {
+  RunState state{.program = "morphgrid " MORPHGRID_VERSION,
+                 .scene = scene.text,
+                 .sceneFile = std::filesystem::absolute(scene.file),
+                 .design = designed.design,
+                 .targets = designed.targets,
+                 .sampling = {},
+                 .grid = simulation.stage.grid,
+                 .targetFromGrid = simulation.targetFromGrid,
+                 .record = simulation.record};
+  if (const auto* sampling = designed.target ? designed.target->meshSampling() : nullptr) {
+    state.sampling = *sampling;
+  }
+  return state;
+}
+
+RestoredRun restoreRun(const std::filesystem::path& file) {
+  RunState state = readState(file);
+  RestoredRun run{.scene = loadSceneText(state.scene, file),
+                  .designed = designOf(state),
+                  .simulation = {},
+                  .inPlane = {},
+                  .stacked = {},
+                  .sampling = std::move(state.sampling)};
+  const Scene& scene = run.scene;
+  const GridDesign& design = run.designed.design;
+  run.scene.name = state.record.scene;
+  state.record.published = scene.published;
+  run.inPlane = inPlaneGrid(design, scene.weights, scene.scaling);
+  run.stacked = design.layers == 1
+                    ? run.inPlane
+                    : stackedGrid(design, scene.weights, scene.scaling,
+                                  state.record.printScale * state.record.inPlane->positions);
+  Stage stage = lastStage(state);
+  run.simulation = {std::move(state.record), std::move(stage), state.targetFromGrid};
+  return run;
+}
+
+void drawAgain(RestoredRun& run, RunContext& context) {
+  auto& [record, stage, targetFromGrid] = run.simulation;
+  context.draw([&](Pictures& pictures) {
+    if (run.sampling) {
+      pictures.drawSampling(run.sampling->mesh, run.sampling->hits);
+    }
+    DeviceGrid inPlane(*context.device, run.inPlane);
+    pictures.drawInitial(inPlane, run.inPlane.positions);
+    inPlane.uploadPositions(record.inPlane->positions);
+    pictures.drawInPlane(inPlane, record.inPlane->positions);
+    if (record.full) {
+      pictures.drawStacked(DeviceGrid(*context.device, run.stacked), run.stacked.positions);
+      pictures.drawShrink(stage.grid, run.scene.design.maxShrinkage);
+    }
+    stage.onDevice = std::make_shared<DeviceGrid>(*context.device, stage.grid);
+    stage.onDevice->uploadPositions(stage.equilibrium.positions);
+    pictures.drawResult(*stage.onDevice, stage.equilibrium.positions, targetFromGrid,
+                        run.designed.targets);
+  });
+}
+
+}  // namespace morphgrid

@@ -1,0 +1,26 @@
+#pragma once
+#include "app/simulate_scene.h"
+#include "state/run_state.h"
+
+namespace morphgrid {
+
+/// What a run leaves for commands that go on from it.
+RunState stateOf(const Scene& scene, const SceneDesign& designed, const Simulation& simulation);
+
+/// A finished run, as its state has kept it.
+struct RestoredRun {
+  Scene scene;
+  SceneDesign designed;
+  Simulation simulation;  ///< Nothing is on the device.
+  StrutGrid inPlane;      ///< The grid of the stage in the plane.
+  StrutGrid stacked;      ///< Before inverse design changed it; of one layer the same as inPlane.
+  std::optional<MeshSampling> sampling;
+};
+
+/// Throws InputError when the state or what its scene names cannot be read.
+RestoredRun restoreRun(const std::filesystem::path& state);
+
+/// Puts the result on the context's device and draws what a run draws.
+void drawAgain(RestoredRun& run, RunContext& context);
+
+}  // namespace morphgrid

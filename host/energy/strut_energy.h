@@ -1,0 +1,40 @@
+#pragma once
+#include <Eigen/Core>
+
+#include "grid/strut_grid.h"
+
+namespace morphgrid {
+
+/// The energy of a grid, the sum of its terms (energy_terms.h), in double precision. It is the
+/// oracle for the device, and gives the figures of the report.
+class StrutEnergy {
+ public:
+  struct Value {
+    double energy;
+    Eigen::Matrix3Xd gradient;  ///< 3 x vertexCount
+  };
+
+  /// Keeps a reference to the grid.
+  explicit StrutEnergy(const StrutGrid& grid);
+  explicit StrutEnergy(StrutGrid&&) = delete;
+
+  /// positions: 3 x vertexCount.
+  Value evaluate(const Eigen::Matrix3Xd& positions) const;
+
+  /// Diagonal of the projective-dynamics matrix per vertex: the sum of the weights with which its
+  /// constraints pull (strut w c; corner w at an arm, 2 w at the apex), > 0.
+  const Eigen::VectorXd& constraintWeights() const { return constraintWeights_; }
+
+  /// Twice the mean of constraintWeights().
+  double meanStiffness() const { return 2 * constraintWeights_.mean(); }
+
+  /// |gradient| / (mean stiffness x spacing x sqrt(vertexCount)). Independent of the units of
+  /// length and weight, and of the size.
+  double residual(const Eigen::Matrix3Xd& gradient) const;
+
+ private:
+  const StrutGrid& grid_;
+  Eigen::VectorXd constraintWeights_;
+};
+
+}  // namespace morphgrid

@@ -1,0 +1,19 @@
+#pragma once
+#include <Eigen/Core>
+
+namespace morphgrid {
+
+struct AdjointOptions {
+  double tolerance = 1e-3;  ///< Bound on |residual| / |right side|, > 0.
+  int productLimit = 100;   ///< >= 0
+};
+
+/// lambda with H lambda = right side, about.
+struct Adjoint {
+  Eigen::Matrix3Xd lambda;  ///< 3 x vertexCount, in the unit of the right side over stiffness.
+  int products = 0;         ///< With H.
+  double residual = 0;      ///< |residual| / |right side|
+  bool converged = false;   ///< False too when H is not positive: no minimum, or a free motion.
+};
+
+}  // namespace morphgrid

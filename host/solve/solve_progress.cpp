@@ -1,0 +1,99 @@
+#include "solve/solve_progress.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/error.h"
+
+namespace morphgrid {
+namespace {
+
+// For the time left: what grids not yet begun will take.
+constexpr double kExpectedCycles = 20;
+// Energy, in stiffness x spacing^2 a vertex, that positions cannot tell from none.
+constexpr double kNoEnergy = 1e-13;
+
+}  // namespace
+
+void EnergyFall::add(const PreconditionedDescent& descent) {
+  const double share =
+      descent.energy() > noEnergy_ ? descent.predictedDecrease() / descent.energy() : 0;
+  quietSteps_ = share < tolerance_ ? quietSteps_ + 1 : 0;
+  shares_.push_back(share);
+}
+
+double EnergyFall::stepsLeft() const {
+  const std::size_t span = shares_.size() / 2;
+  if (span < 2 || tolerance_ <= 0) {
+    return kExpectedCycles;
+  }
+  const double now = shares_.back();
+  const double fall = std::log(shares_[shares_.size() - 1 - span] / now);
+  return fall > 0 ? std::max(0.0, std::log(now / tolerance_)) * double(span) / fall
+                  : kExpectedCycles;
+}
+
+SolveProgress::SolveProgress(const SolveOptions& options, const std::vector<int>& vertexCounts)
+    : options_(options), pace_(options.onCheckpoint), vertexCounts_(vertexCounts) {
+  if (const auto& from = options.resumeFrom) {
+    phase_ = static_cast<std::size_t>(from->phase);
+    cycles_ = from->iterations;
+    start_ -=
+        std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(from->seconds));
+    history_ = from->history;
+  }
+  for (const int count : vertexCounts) {
+    shares_.push_back(double(count) / vertexCounts.back());
+  }
+  for (std::size_t n = phase_; n < shares_.size(); ++n) {
+    cyclesToCome_ += kExpectedCycles * shares_[n];
+  }
+}
+
+void SolveProgress::beginGrid(std::size_t n, double spacing, double meanStiffness) {
+  const double count = vertexCounts_[n];
+  phase_ = n;
+  energyScale_ = spacing * spacing;
+  residualScale_ = 1 / (meanStiffness * std::sqrt(count));
+  noEnergy_ = kNoEnergy * meanStiffness * count;
+  cyclesToCome_ -= kExpectedCycles * shares_[n];
+}
+
+void SolveProgress::tellGrid(std::shared_ptr<const DeviceGrid> grid) const {
+  if (options_.onGrid) {
+    options_.onGrid(std::move(grid));
+  }
+}
+
+void SolveProgress::add(const PreconditionedDescent& descent, const EnergyFall& fall) {
+  const double share = shares_[phase_];
+  cycles_ += share;
+  const double residual = residualOf(descent);
+  if (!std::isfinite(descent.energy()) || !std::isfinite(residual)) {
+    throw DeviceError(fmt::format("the solve left the range of numbers at cycle {:.0f}", cycles_));
+  }
+  const double cyclesLeft = cyclesToCome_ + fall.stepsLeft() * share;
+  history_.push_back({static_cast<long>(std::ceil(cycles_)), descent.energy() * energyScale_,
+                      residual, seconds(), share, seconds() / cycles_ * cyclesLeft});
+  if (options_.onProgress) {
+    options_.onProgress(history_.back());
+  }
+  const int phase = static_cast<int>(phase_);
+  pace_.offer(phase, reasonToStop().has_value(), [&] {
+    return SolveCheckpoint{phase, descent.positions(), cycles_, seconds(), history_};
+  });
+}
+
+std::optional<StopReason> SolveProgress::reasonToStop() const {
+  if (options_.stopRequested()) {
+    return StopReason::interrupted;
+  }
+  if (cycles_ >= static_cast<double>(options_.iterationLimit)) {
+    return StopReason::iterationLimit;
+  }
+  return std::nullopt;
+}
+
+}  // namespace morphgrid

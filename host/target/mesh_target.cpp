@@ -1,0 +1,123 @@
+#include "target/mesh_target.h"
+
+#include <fmt/format.h>
+
+#include "measure/lattice_measurement.h"
+#include "surface/load_mesh.h"
+#include "surface/ray_hits.h"
+#include "surface/subdivide_mesh.h"
+#include "target/mesh_sampler.h"
+
+namespace morphgrid {
+namespace {
+
+TriangleMesh loadConfigured(const MeshConfiguration& configuration) {
+  const TriangleMesh mesh = loadMesh(configuration.mesh);
+  try {
+    return transformed(configuration.worldFromMesh,
+                       subdivideLoop(mesh, configuration.subdivisions));
+  } catch (const InputError& error) {
+    throw InputError(fmt::format("{}: {}", configuration.mesh.string(), error.what()));
+  }
+}
+
+class MeshTarget final : public Target {
+ public:
+  MeshTarget(const MeshRequest& request, const Cancellation& cancellation)
+      : Target({request.configuration.mesh}),
+        smoothingWidth_(request.smoothingWidth),
+        sampling_{loadConfigured(request.configuration), {}},
+        caster_(addSeconds(figures_.secondsBuild, [&] { return MeshRayCaster(sampling_.mesh); })) {
+    figures_.file = request.configuration.mesh.string();
+    figures_.triangles = static_cast<int>(sampling_.mesh.triangles.cols());
+    figures_.extent = boundingBox(sampling_.mesh);
+    figures_.suggestedBox = suggestBox(caster_, figures_.extent, request.configuration.samplesU,
+                                       request.configuration.samplesV, request.steepestSlope);
+    if (!request.box) {
+      throw errorAt(request.boxPlace,
+                    "surface.u_start, v_start, u_length and v_length are missing: the box that "
+                    "rays sample; " +
+                        adviseOnBox(figures_));
+    }
+    rays_ = {*request.box, request.fillHoles, request.steepestSlope};
+    try {
+      surveyBox(request.configuration, cancellation);
+    } catch (const InputError& error) {
+      throw errorAt(request.boxPlace, error.what());
+    }
+  }
+
+  const SurfaceSurvey& survey() const override { return survey_.survey; }
+  std::optional<double> curvatureNoise() const override { return survey_.curvatureNoise; }
+  std::unique_ptr<TargetSampler> sampler(const Cancellation& cancellation) const override;
+  View view() const override { return kMeshView; }
+  const MeshSampling* meshSampling() const override { return &sampling_; }
+
+ private:
+  class Sampler;
+
+  void surveyBox(const MeshConfiguration& configuration, const Cancellation& cancellation) {
+    MeshSampler sampler(caster_, rays_, figures_, cancellation);
+    sampling_.hits = sampler.cast(configuration.samplesU, configuration.samplesV);
+    figures_ = sampler.figures();
+    survey_ = surveyLattice(sampling_.hits.lattice(), smoothingWidth_, cancellation);
+  }
+
+  ClosestPointQuery makeClosestPoints() const override {
+    return {sampling_.mesh.vertices, sampling_.mesh.triangles};
+  }
+
+  double smoothingWidth_;
+  MeshSampling sampling_;
+  MeshFigures figures_;
+  MeshRayCaster caster_;
+  RaySettings rays_{};
+  LatticeSurvey survey_{};
+};
+
+class MeshTarget::Sampler final : public TargetSampler {
+ public:
+  Sampler(const MeshTarget& target, const Cancellation& cancellation)
+      : target_(target),
+        cancellation_(cancellation),
+        sampler_(target.caster_, target.rays_, target.figures_, cancellation) {}
+
+  /// Along the isolines in a lattice, whose holes can be filled from their own rim.
+  PointLattice points(const Net& net) override {
+    const int countU = net.nodesU + 1;
+    const int countV = net.nodesV + 1;
+    if (net.kind == NetKind::isoline) {
+      return sampler_.cast(countU, countV).lattice();
+    }
+    return {countU, countV, sampler_.castThrough(net.parameters, target_.sampling_.hits)};
+  }
+
+  Eigen::Matrix3Xd normals(const Net& net) override {
+    return sampler_.normals(net.parameters, target_.sampling_.hits);
+  }
+
+  SurfaceMeasurement measure(const Net& /*net*/, const PointLattice& points,
+                             double curvatureLimit) override {
+    return measureLattice(points, curvatureLimit, target_.smoothingWidth_, cancellation_);
+  }
+
+  std::optional<MeshFigures> meshFigures() const override { return sampler_.figures(); }
+
+ private:
+  const MeshTarget& target_;
+  Cancellation cancellation_;
+  MeshSampler sampler_;
+};
+
+std::unique_ptr<TargetSampler> MeshTarget::sampler(const Cancellation& cancellation) const {
+  return std::make_unique<Sampler>(*this, cancellation);
+}
+
+}  // namespace
+
+std::shared_ptr<const Target> loadMeshTarget(const MeshRequest& request,
+                                             const Cancellation& cancellation) {
+  return std::make_shared<MeshTarget>(request, cancellation);
+}
+
+}  // namespace morphgrid

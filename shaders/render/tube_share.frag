@@ -1,5 +1,0 @@
-// A tube's colour by its share.
-#version 450
-#extension GL_GOOGLE_include_directive : require
-#include "render/tube_light.glsl"
-#include "render/share_paint.glsl"

@@ -1,0 +1,89 @@
+#include "report/read_report.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "core/error.h"
+#include "report/report_json.h"
+#include "report/report_table.h"
+#include "tests/report/sample_record.h"
+
+namespace morphgrid {
+namespace {
+
+using nlohmann::json;
+
+/// A record in which nothing is missing.
+RunRecord fullRecord() {
+  RunRecord record = sampleRecord();
+  record.printScale = 1.0625;
+  record.mesh = MeshFigures{.file = "face.obj", .triangles = 3, .rays = 4, .missed = 1};
+  record.full->reason = StopReason::iterationLimit;
+  record.full->converged = false;
+  record.inverse = InverseDesign{{},
+                                 {},
+                                 {{InverseStep::Kind::design, 0, 4, 5, 6, 7, 8, 9, 0.5},
+                                  {InverseStep::Kind::compensate, 1, 3, 4, 5, 6, 7, 8, 1.5},
+                                  {InverseStep::Kind::optimise, 1, 2, 3, 4, 5, 6, 7, 2.5}},
+                                 "all steps done",
+                                 FromFlat{true, 2.25}};
+  record.feasibility->cells = {3, 4, -0.5, {5, 6, 2}};
+  record.feasibility->selfIntersection = {7, {8, 9, 1}};
+  record.feasibility->closeStruts = CloseStruts{0.25, 2, 0.125, {1, 2, 0}};
+  record.deviceFailure = "lost";
+  record.notices = {"one", "two"};
+  return record;
+}
+
+TEST(ReadReport, GivesTheSameReportAndTable) {
+  for (const RunRecord& record : {sampleRecord(), fullRecord()}) {
+    const RunRecord read = readReport(toJson(record));
+    EXPECT_EQ(toJson(read), toJson(record));
+    EXPECT_EQ(toTable(read), toTable(record));
+  }
+}
+
+TEST(ReadReport, WhatIsNotFiniteComesBack) {
+  RunRecord record = sampleRecord();
+  record.net = NetFigures{NetKind::orthogonal, 1.25, 0.5, {INFINITY, 0.125, 0.25}};
+  record.full->energy = NAN;
+  const RunRecord read = readReport(toJson(record));
+  EXPECT_EQ(read.measurement->layerSpacingLimit, INFINITY);
+  EXPECT_EQ(read.measurement->cutoffs[0].layerSpacingLimit, INFINITY);
+  EXPECT_EQ(read.net->quality.strutRatio, INFINITY);
+  EXPECT_NEAR(read.net->quality.meanAngleDeviation, 0.125, 1e-15);
+  EXPECT_TRUE(std::isnan(read.full->energy));
+}
+
+TEST(ReadReport, AnyValueOfAnotherTypeIsRefused) {
+  const json report = json::parse(toJson(fullRecord()));
+  const json flat = report.flatten();
+  const json other = {{"an", "object"}};
+  for (const auto& [pointer, value] : flat.items()) {
+    json changed = report;
+    changed[json::json_pointer(pointer)] = other;
+    const bool isDerived = pointer == "/grid/vertices" || pointer == "/grid/struts" ||
+                           pointer.find("verdict") != std::string::npos;
+    if (!isDerived) {
+      EXPECT_THROW(readReport(changed.dump()), InputError) << pointer;
+    }
+  }
+}
+
+TEST(ReadReport, RefusesWhatIsNoReport) {
+  for (const char* text : {"", "{}", "[]", "null", "{\"scene\": 1}", "\xff"}) {
+    EXPECT_THROW(readReport(text), InputError) << text;
+  }
+  json report = json::parse(toJson(fullRecord()));
+  report["grid"]["nodes_u"] = -3;
+  EXPECT_THROW(readReport(report.dump()), InputError);
+  report["grid"]["nodes_u"] = 1LL << 40;
+  EXPECT_THROW(readReport(report.dump()), InputError);
+  report["grid"]["nodes_u"] = 1.5;
+  EXPECT_THROW(readReport(report.dump()), InputError);
+}
+
+}  // namespace
+}  // namespace morphgrid
