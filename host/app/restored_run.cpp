@@ -66,7 +66,8 @@ RestoredRun restoreRun(const std::filesystem::path& file) {
 }
 
 void drawAgain(RestoredRun& run, RunContext& context) {
-  auto& [record, stage, targetFromGrid] = run.simulation;
+  const RunRecord& record = run.simulation.record;
+  Stage& stage = run.simulation.stage;
   context.draw([&](Pictures& pictures) {
     if (run.sampling) {
       pictures.drawSampling(run.sampling->mesh, run.sampling->hits);
@@ -81,7 +82,7 @@ void drawAgain(RestoredRun& run, RunContext& context) {
     }
     stage.onDevice = std::make_shared<DeviceGrid>(*context.device, stage.grid);
     stage.onDevice->uploadPositions(stage.equilibrium.positions);
-    pictures.drawResult(*stage.onDevice, stage.equilibrium.positions, targetFromGrid,
+    pictures.drawResult(*stage.onDevice, stage.equilibrium.positions, run.simulation.targetFromGrid,
                         run.designed.targets);
   });
 }
