@@ -22,7 +22,9 @@ TomlReader::TomlReader(const std::filesystem::path& file, toml::table document)
 TomlSection TomlReader::root() { return {*this, "", &document_, false}; }
 
 TomlSection TomlReader::section(const std::string& name) {
-  sections_.push_back(name);
+  if (std::find(sections_.begin(), sections_.end(), name) == sections_.end()) {
+    sections_.push_back(name);
+  }
   const toml::node* node = document_.get(name);
   const toml::table* table = node ? node->as_table() : nullptr;
   if (node && !table) reportUnfit(name, *node, "a table");
@@ -87,18 +89,6 @@ std::optional<Eigen::Vector3d> TomlReader::vector(const std::string& name, const
 void TomlReader::reportUnknownKeys() {
   reportUnknownKeys(document_, "");
   for (const auto& [name, table] : innerTables_) reportUnknownKeys(*table, name);
-}
-
-std::vector<std::string> TomlReader::knownKeys() const {
-  std::vector<std::string> names;
-  const auto addThoseOf = [&](const std::string& section) {
-    for (const KnownKey& key : keys_) {
-      if (key.section == section) names.push_back(dotted(section, key.name));
-    }
-  };
-  addThoseOf("");
-  for (const std::string& section : sections_) addThoseOf(section);
-  return names;
 }
 
 TomlReader::KnownKey& TomlReader::know(const std::string& section, std::string_view name) {

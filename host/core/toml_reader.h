@@ -2,7 +2,6 @@
 #include <Eigen/Core>
 #include <array>
 #include <filesystem>
-#include <initializer_list>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -46,9 +45,6 @@ class TomlReader {
 
   /// To be called last: every key that nobody asked for is a problem.
   void reportUnknownKeys();
-
-  /// The dotted keys asked for so far, section by section.
-  std::vector<std::string> knownKeys() const;
 
   ProblemList problems;
 
@@ -104,15 +100,13 @@ class TomlSection {
                                         const std::string& allowed);
   TomlSection table(std::string_view key, const std::string& allowed);
 
-  /// One of several words.
-  template <typename T>
-  std::optional<T> choice(std::string_view key,
-                          std::initializer_list<std::pair<std::string_view, T>> choices) {
-    std::vector<std::string_view> words;
-    for (const auto& [word, value] : choices) words.push_back(word);
-    const auto index = choiceIndex(key, words);
-    return index ? std::optional<T>((choices.begin() + *index)->second) : std::nullopt;
-  }
+  /// Which of several words it is.
+  std::optional<std::size_t> word(std::string_view key, const std::vector<std::string>& words);
+
+  /// As path(), of a file that can be read. what: what it is, e.g. "file"; hint: what to do where
+  /// there is none; may be empty.
+  std::optional<std::filesystem::path> file(std::string_view key, const std::string& what,
+                                            const std::string& hint = "");
 
   /// A key asked for before that must be there.
   void require(std::string_view key);
@@ -135,8 +129,6 @@ class TomlSection {
 
   const toml::node* find(std::string_view key, std::string allowed);
   void reportUnfit(std::string_view key, const toml::node& node);
-  std::optional<std::size_t> choiceIndex(std::string_view key,
-                                         const std::vector<std::string_view>& words);
 
   TomlReader* reader_;
   std::string name_;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/read_file.h"
 #include "core/toml_reader.h"
 
 namespace morphgrid {
@@ -30,6 +31,19 @@ std::optional<std::filesystem::path> TomlSection::path(std::string_view key) {
   const auto name = text(key);
   if (!name) return std::nullopt;
   return reader_->folderOf(*node(key)) / *name;
+}
+
+std::optional<std::filesystem::path> TomlSection::file(std::string_view key,
+                                                       const std::string& what,
+                                                       const std::string& hint) {
+  auto name = path(key);
+  const auto reason = name ? whyUnreadable(*name) : std::nullopt;
+  if (!reason) return name;
+  const bool isMissing = !std::filesystem::exists(*name);
+  reader_->problems.add(place(key), fmt::format("{} must name a readable {}, got {}: {}{}",
+                                                fullName(key), what, name->string(), *reason,
+                                                isMissing && !hint.empty() ? " " + hint : ""));
+  return std::nullopt;
 }
 
 std::optional<std::int64_t> TomlSection::integer(std::string_view key, const IntegerRange& range) {
@@ -121,8 +135,8 @@ void TomlSection::reportUnfit(std::string_view key, const toml::node& node) {
   reader_->reportUnfit(fullName(key), node, reader_->know(name_, key).allowed);
 }
 
-std::optional<std::size_t> TomlSection::choiceIndex(std::string_view key,
-                                                    const std::vector<std::string_view>& words) {
+std::optional<std::size_t> TomlSection::word(std::string_view key,
+                                             const std::vector<std::string>& words) {
   const toml::node* node = find(key, fmt::format("\"{}\"", fmt::join(words, "\" or \"")));
   if (!node) return std::nullopt;
   const auto* value = node->as_string();

@@ -1,12 +1,12 @@
-#include "surface/mesh_configuration.h"
+#include "surface/mesh_configuration_keys.h"
 
 #include <fmt/format.h>
 
 #include <numbers>
 #include <tuple>
 
-#include "core/read_file.h"
-#include "core/toml_reader.h"
+#include "core/key_place.h"
+#include "core/read_toml_key.h"
 
 namespace morphgrid {
 namespace {
@@ -14,22 +14,6 @@ namespace {
 constexpr IntegerRange kSampleCounts{4, 4096};
 constexpr IntegerRange kSubdivisions{0, 10};
 constexpr const char* kVector = "3 numbers, [x, y, z]";
-
-std::filesystem::path readMeshPath(TomlReader& reader, const std::filesystem::path& folder) {
-  TomlSection root = reader.root();
-  const auto name = root.text("mesh");
-  root.require("mesh");
-  if (!name) return {};
-  std::filesystem::path mesh = folder / *name;
-  if (const auto reason = whyUnreadable(mesh)) {
-    const bool missing = !std::filesystem::exists(mesh);
-    reader.problems.add(
-        root.place("mesh"),
-        fmt::format("mesh must name a readable file, got {}: {}{}", mesh.string(), *reason,
-                    missing ? " (tools/run installs and makes the meshes of scenes/)" : ""));
-  }
-  return mesh;
-}
 
 /// These return the identity for what is missing or a problem.
 Eigen::Matrix3d readRotation(TomlReader& reader, TomlSection rotate) {
@@ -74,7 +58,7 @@ Eigen::Affine3d readTransform(TomlReader& reader, const std::string& name, const
   return transform;
 }
 
-Eigen::Affine3d readTransforms(TomlReader& reader) {
+void readTransforms(TomlReader& reader, MeshConfiguration& configuration) {
   TomlSection root = reader.root();
   const toml::array* steps =
       root.array("transforms", "an array of tables, each of rotate, scale or translate");
@@ -87,10 +71,36 @@ Eigen::Affine3d readTransforms(TomlReader& reader) {
     reader.problems.add(root.place("transforms"),
                         "transforms must neither overflow nor flatten the mesh, taken together");
   }
-  return worldFromMesh;
+  configuration.worldFromMesh = worldFromMesh;
 }
 
 }  // namespace
+
+const std::vector<TomlKey<MeshConfiguration>>& meshConfigurationKeys() {
+  using Mesh = MeshConfiguration;
+  static const std::vector<TomlKey<Mesh>> keys = {
+      {.name = "mesh",
+       .value =
+           fileKey(at(&Mesh::mesh), "file", "(tools/run installs and makes the meshes of scenes/)"),
+       .isRequired = true,
+       .meaning = "The mesh: OBJ, STL, PLY, glTF or GLB, relative to this file."},
+      {.name = "samples_u",
+       .value = integerKey(at(&Mesh::samplesU), kSampleCounts),
+       .meaning = "Rays along u in the first pass, which measures extents and curvature."},
+      {.name = "samples_v",
+       .value = integerKey(at(&Mesh::samplesV), kSampleCounts),
+       .meaning = "Rays along v."},
+      {.name = "subdivisions",
+       .value = integerKey(at(&Mesh::subdivisions), kSubdivisions),
+       .meaning = "Rounds of Loop subdivision before the rays, for coarse meshes."},
+      {.name = "transforms",
+       .value = CustomKey<Mesh>{readTransforms, "array of tables",
+                                "one of `rotate`, `scale`, `translate` each"},
+       .meaning = "Moves the mesh, in this order. `rotate` is a table of `axis` (3 numbers) and "
+                  "`degrees`; `scale` a number > 0 or 3 of them; `translate` 3 numbers."},
+  };
+  return keys;
+}
 
 bool MeshConfiguration::operator==(const MeshConfiguration& other) const {
   const auto tied = [](const MeshConfiguration& configuration) {
@@ -103,14 +113,12 @@ bool MeshConfiguration::operator==(const MeshConfiguration& other) const {
 MeshConfiguration readMeshConfiguration(const std::filesystem::path& file) {
   TomlReader reader(file, parseToml(file));
   TomlSection root = reader.root();
-  const auto integer = [&](const char* key, const IntegerRange& range, int otherwise) {
-    return static_cast<int>(root.integer(key, range).value_or(otherwise));
-  };
-  MeshConfiguration mesh{.mesh = readMeshPath(reader, file.parent_path()),
-                         .worldFromMesh = readTransforms(reader)};
-  mesh.samplesU = integer("samples_u", kSampleCounts, mesh.samplesU);
-  mesh.samplesV = integer("samples_v", kSampleCounts, mesh.samplesV);
-  mesh.subdivisions = integer("subdivisions", kSubdivisions, mesh.subdivisions);
+  MeshConfiguration mesh;
+  TomlKeyReader<MeshConfiguration> values(reader, root, mesh);
+  for (const auto& key : meshConfigurationKeys()) {
+    values.read(key);
+    if (key.isRequired) root.require(key.name);
+  }
   reader.reportUnknownKeys();
   reader.problems.throwIfAny();
   return mesh;
