@@ -82,22 +82,6 @@ SceneDesign designFor(const std::shared_ptr<const Target>& target, const DesignR
 
 }  // namespace
 
-const char* nameOf(Method method) {
-  switch (method) {
-    case Method::multigrid:
-      return "multigrid";
-    case Method::jacobi:
-      return "jacobi";
-    case Method::reference:
-      break;
-  }
-  return "reference";
-}
-
-const char* nameOf(Scaling scaling) {
-  return scaling == Scaling::normalised ? "normalised" : "shapeop";
-}
-
 SceneDesign designScene(const Scene& scene, const std::shared_ptr<const Target>& target) {
   try {
     if (target) {

@@ -24,10 +24,6 @@ SceneDesign designScene(const Scene& scene, const std::shared_ptr<const Target>&
 /// Loads the target, too.
 SceneDesign designScene(const Scene& scene);
 
-/// As scene files call them.
-const char* nameOf(Method method);
-const char* nameOf(Scaling scaling);
-
 /// What there is to report before anything is solved.
 RunRecord recordOf(const Scene& scene, const SceneDesign& designed);
 

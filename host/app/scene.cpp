@@ -1,36 +1,126 @@
 #include "app/scene.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
-#include "app/scene_settings.h"
-#include "app/scene_target.h"
+#include <algorithm>
+#include <limits>
+
+#include "app/scene_keys.h"
 #include "app/scene_text.h"
 #include "core/error.h"
-#include "core/toml_reader.h"
+#include "core/read_toml_key.h"
+#include "surface/read_patch.h"
 
 namespace morphgrid {
 namespace {
 
-Scene readScene(TomlReader& reader, const std::filesystem::path& file) {
-  Scene scene{.name = file.stem().string(), .file = file};
-  reader.root().text("extends");  // parseToml() has followed it.
-  scene.title = reader.root().text("title").value_or(scene.name);
-  SceneTarget target = readSceneTarget(reader);
-  scene.surface = std::move(target.surface);
-  scene.design = target.design;
-  scene.weights = readWeights(reader);
-  SolverSettings solver = readSolverSettings(reader);
-  scene.method = solver.method;
-  scene.scaling = solver.scaling;
-  scene.solve = std::move(solver.options);
-  scene.smallestEigenvalue = solver.smallestEigenvalue;
-  const OutputChoices output = readOutputChoices(reader);
-  scene.pictures = output.pictures;
-  scene.files = output.files;
-  scene.published = readPublishedFigures(reader);
-  reader.reportUnknownKeys();
-  return scene;
-}
+constexpr const char* kBoxKeys[] = {"u_start", "v_start", "u_length", "v_length"};
+
+/// Reads a scene, key by key, and what belongs to several keys at once.
+class SceneReader {
+ public:
+  SceneReader(const std::filesystem::path& file, toml::table document)
+      : reader_(file, std::move(document)), scene_{.name = file.stem().string(), .file = file} {}
+
+  Scene read() {
+    for (const SceneKeySection& keys : sceneKeys()) {
+      readSection(keys);
+    }
+    if (kind_) {
+      TomlSection surface = reader_.section("surface");
+      std::visit([&](auto& request) { complete(surface, request); }, scene_.surface);
+      checkSize();
+    }
+    reader_.reportUnknownKeys();
+    reader_.problems.throwIfAny();
+    scene_.text = sceneText(reader_);
+    return std::move(scene_);
+  }
+
+ private:
+  /// All keys are read where the kind is not known: that finds every problem.
+  void readSection(const SceneKeySection& keys) {
+    TomlSection section = keys.name.empty() ? reader_.root() : reader_.section(keys.name);
+    TomlKeyReader<Scene> values(reader_, section, scene_);
+    for (const SceneKey& key : keys.keys) {
+      if (kind_ && !key.isOf(*kind_)) {
+        reject(section, key);
+        continue;
+      }
+      const bool isRead = values.read(key);
+      if (key.isRequired && (kind_ || key.kinds.empty())) {
+        section.require(key.name);
+      }
+      if (keys.name == "surface" && key.name == "kind" && isRead) {
+        kind_ = scene_.surface.index();
+      }
+    }
+  }
+
+  void reject(TomlSection& section, const SceneKey& key) const {
+    std::vector<const char*> owners;
+    for (const std::size_t kind : key.kinds) owners.push_back(kSurfaceWords[kind]);
+    section.reject(key.name, fmt::format("belongs to surfaces of kind \"{}\", this one is \"{}\"",
+                                         fmt::join(owners, "\" or \""), kSurfaceWords[*kind_]));
+  }
+
+  /// The TOML files that a surface names.
+  template <typename Read>
+  void readFile(const std::filesystem::path& file, const Read& read) {
+    try {
+      if (!file.empty()) read();
+    } catch (const InputError& error) {
+      reader_.problems.add(error);
+    }
+  }
+
+  void complete(TomlSection& surface, PatchRequest& request) {
+    request.place = surface.place("patch");
+    readFile(request.file,
+             [&] { request.controlPoints = readPatch(request.file).controlPoints(); });
+  }
+
+  void complete(TomlSection& surface, MeshRequest& request) {
+    request.boxPlace = surface.place("u_start");
+    if (std::any_of(std::begin(kBoxKeys), std::end(kBoxKeys),
+                    [&](const char* key) { return surface.node(key) != nullptr; })) {
+      for (const char* key : kBoxKeys) surface.require(key);
+    }
+    readFile(request.file, [&] { request.configuration = readMeshConfiguration(request.file); });
+  }
+
+  void complete(TomlSection&, BendAngleRequest&) {}
+
+  void checkSize() {
+    const DesignRequest& design = scene_.design;
+    if (const auto* bent = std::get_if<BendAngleRequest>(&scene_.surface)) {
+      checkVertexCount(bent->nodesU >= bent->nodesV ? "nodes_u" : "nodes_v", bent->nodesU,
+                       bent->nodesV);
+    } else {
+      // The shorter direction is not known before the surface is measured: it has at least one
+      // node.
+      checkVertexCount("nodes_long", design.nodesLong, 1);
+    }
+  }
+
+  /// Struts, about three a vertex, are counted in int. In double, which the largest counts do not
+  /// overflow.
+  void checkVertexCount(const char* key, double nodesU, double nodesV) {
+    constexpr int kLimit = std::numeric_limits<int>::max() / 3;
+    const double count = (nodesU + 1) * (nodesV + 1) * scene_.design.layers;
+    if (count <= kLimit) return;
+    const TomlSection grid = reader_.section("grid");
+    reader_.problems.add(
+        grid.place(key),
+        fmt::format("{} asks for too large a grid: at most {} vertices are possible, got {:.4g}",
+                    grid.fullName(key), kLimit, count));
+  }
+
+  TomlReader reader_;
+  Scene scene_;
+  std::optional<std::size_t> kind_;
+};
 
 /// Inverse design simulates, step by step.
 void requireWhatInverseDesignNeeds(const Scene& scene) {
@@ -48,12 +138,9 @@ void requireWhatInverseDesignNeeds(const Scene& scene) {
   }
 }
 
-Scene readChecked(const std::filesystem::path& file, toml::table&& document) {
-  TomlReader reader(file, std::move(document));
-  Scene scene = readScene(reader, file);
-  reader.problems.throwIfAny();
+Scene readChecked(const std::filesystem::path& file, toml::table document) {
+  Scene scene = SceneReader(file, std::move(document)).read();
   requireWhatInverseDesignNeeds(scene);
-  scene.text = sceneText(reader);
   return scene;
 }
 
@@ -68,9 +155,13 @@ Scene loadSceneText(const std::string& text, const std::filesystem::path& file) 
 }
 
 std::vector<std::string> knownSceneKeys() {
-  TomlReader reader("", {});
-  readScene(reader, "");
-  return reader.knownKeys();
+  std::vector<std::string> names;
+  for (const SceneKeySection& section : sceneKeys()) {
+    for (const SceneKey& key : section.keys) {
+      names.push_back(section.name.empty() ? key.name : section.name + "." + key.name);
+    }
+  }
+  return names;
 }
 
 }  // namespace morphgrid

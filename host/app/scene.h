@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -15,6 +16,17 @@ namespace morphgrid {
 
 enum class Method { multigrid, jacobi, reference };
 
+// As scene files call them.
+inline constexpr std::array kMethodWords = {"multigrid", "jacobi", "reference"};
+inline constexpr std::array kScalingWords = {"normalised", "shapeop"};
+inline constexpr std::array kSurfaceWords = {"bezier", "mesh", "bend_angles"};
+constexpr const char* nameOf(Method method) {
+  return kMethodWords[static_cast<std::size_t>(method)];
+}
+constexpr const char* nameOf(Scaling scaling) {
+  return kScalingWords[static_cast<std::size_t>(scaling)];
+}
+
 struct PictureChoices {
   bool enabled = true;
   int width = 1280;
@@ -29,8 +41,8 @@ struct FileChoices {
   bool state = true;
 };
 
-/// How the surface is given.
-using SurfaceRequest = std::variant<BendAngleRequest, PatchRequest, MeshRequest>;
+/// How the surface is given; in the order of kSurfaceWords.
+using SurfaceRequest = std::variant<PatchRequest, MeshRequest, BendAngleRequest>;
 
 /// What one scene file asks for, read and checked.
 struct Scene {

@@ -3,66 +3,69 @@
 #include <algorithm>
 #include <charconv>
 
-#include "app/design_scene.h"
+#include "app/scene_keys.h"
 
 namespace morphgrid {
 namespace {
 
-constexpr double kRange = 5;  // Times and parts of what the scene has.
+/// The knob of a key whose value the scene has.
+class KnobMaker {
+ public:
+  KnobMaker(const Scene& scene, const KnobOffer& offer) : scene_(scene), offer_(offer) {}
 
-Knob slider(const char* key, const char* label, double value, double low, double high) {
-  return {.key = key, .label = label, .value = value, .low = low, .high = high};
-}
+  std::optional<Knob> operator()(const NumberKey<Scene>& key) const {
+    auto knob = holding(key.access.get(scene_));
+    if (knob) {
+      const double unit = offer_.isRelative ? knob->value : 1;
+      knob->low = offer_.low * unit;
+      knob->high = offer_.high * unit;
+      knob->isLogarithmic = offer_.isLogarithmic;
+    }
+    return knob;
+  }
 
-/// Of a quantity > 0.
-Knob scaleSlider(const char* key, const char* label, double value) {
-  Knob knob = slider(key, label, value, value / kRange, value * kRange);
-  knob.isLogarithmic = true;
-  return knob;
-}
+  std::optional<Knob> operator()(const IntegerKey<Scene>& key) const {
+    auto knob = holding(key.access.get(scene_));
+    if (knob) knob->isInteger = true;
+    return knob;
+  }
 
-Knob counter(const char* key, const char* label, int value) {
-  return {.key = key, .label = label, .value = double(value), .isInteger = true};
-}
+  std::optional<Knob> operator()(const WordKey<Scene>& key) const {
+    auto knob = holding(key.access.get(scene_));
+    if (knob) knob->choices = key.words;
+    return knob;
+  }
 
-Knob choice(const char* key, const char* label, const char* chosen,
-            std::vector<std::string> choices) {
-  const auto at = std::find(choices.begin(), choices.end(), chosen) - choices.begin();
-  return {.key = key, .label = label, .value = double(at), .choices = std::move(choices)};
-}
+  /// Nothing that a window can turn.
+  template <typename Key>
+  std::optional<Knob> operator()(const Key&) const {
+    return std::nullopt;
+  }
 
-/// Where a surface is designed for; grids that are given by bend angles are not.
-void addDesignKnobs(std::vector<Knob>& knobs, const DesignRequest& design) {
-  knobs.push_back(counter("grid.nodes_long", "nodes", design.nodesLong));
-  knobs.push_back(slider("grid.curvature_cutoff", "cutoff p", design.curvatureCutoff, 0.5, 1));
-  knobs.push_back(slider("grid.max_shrinkage", "max shrinkage", design.maxShrinkage, 0.05, 0.95));
-  knobs.push_back(choice("design.net", "net", nameOf(design.net),
-                         {nameOf(NetKind::isoline), nameOf(NetKind::orthogonal)}));
-  knobs.push_back(choice("design.reference", "reference",
-                         design.reference == Reference::convex ? "convex" : "middle",
-                         {"convex", "middle"}));
-  knobs.push_back(counter("design.compensate", "compensation rounds", design.compensateRounds));
-}
+ private:
+  template <typename Value>
+  std::optional<Knob> holding(const std::optional<Value>& value) const {
+    return value ? std::optional(Knob{.label = offer_.label, .value = static_cast<double>(*value)})
+                 : std::nullopt;
+  }
+
+  const Scene& scene_;
+  const KnobOffer& offer_;
+};
 
 }  // namespace
 
 std::vector<Knob> knobsOf(const Scene& scene) {
-  const bool isBent = std::holds_alternative<BendAngleRequest>(scene.surface);
-  std::vector<Knob> knobs = {
-      scaleSlider("grid.layer_spacing", "layer spacing", scene.design.layerSpacing),
-      counter("grid.layers", "layers", scene.design.layers)};
-  if (!isBent) {
-    addDesignKnobs(knobs, scene.design);
+  std::vector<Knob> knobs;
+  for (const SceneKeySection& section : sceneKeys()) {
+    for (const SceneKey& key : section.keys) {
+      if (!key.knob || !key.isOf(scene.surface.index())) continue;
+      if (auto knob = std::visit(KnobMaker(scene, *key.knob), key.value)) {
+        knob->key = section.name + "." + key.name;
+        knobs.push_back(std::move(*knob));
+      }
+    }
   }
-  knobs.push_back(scaleSlider("weights.lateral", "weight lateral", scene.weights.lateral));
-  knobs.push_back(scaleSlider("weights.vertical", "weight vertical", scene.weights.vertical));
-  knobs.push_back(slider("weights.angle", "weight angle", scene.weights.angle, 0, 10));
-  knobs.push_back(
-      choice("solver.method", "method", nameOf(scene.method),
-             {nameOf(Method::multigrid), nameOf(Method::jacobi), nameOf(Method::reference)}));
-  Knob tolerance = slider("solver.tolerance", "tolerance", scene.solve.tolerance, 1e-10, 1e-3);
-  tolerance.isLogarithmic = true;
-  knobs.push_back(std::move(tolerance));
   return knobs;
 }
 

@@ -14,6 +14,9 @@ enum class Reference {
   middle,  ///< The middle of the layers; each layer lies on the target's offset surface.
 };
 
+/// As scene files call them.
+inline constexpr std::array kReferenceWords = {"convex", "middle"};
+
 /// What the user asks of a grid (paper, section 3.1).
 struct DesignRequest {
   int layers = 3;                ///< >= 1

@@ -1,5 +1,6 @@
 #pragma once
 #include <Eigen/Core>
+#include <array>
 #include <functional>
 
 #include "grid/grid_topology.h"
@@ -13,9 +14,9 @@ enum class NetKind {
   orthogonal,  ///< Crossing at right angles.
 };
 
-constexpr const char* nameOf(NetKind kind) {
-  return kind == NetKind::isoline ? "isoline" : "orthogonal";
-}
+/// As scene files call them.
+inline constexpr std::array kNetWords = {"isoline", "orthogonal"};
+constexpr const char* nameOf(NetKind kind) { return kNetWords[static_cast<std::size_t>(kind)]; }
 
 /// Where the vertices of a grid lie on the target.
 struct Net {

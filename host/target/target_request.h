@@ -13,6 +13,7 @@ namespace morphgrid {
 // same target, as long as their files stay.
 
 struct PatchRequest {
+  std::filesystem::path file;
   BezierPatch::ControlPoints controlPoints;
   Place place;  ///< Of the patch in the scene.
 
@@ -20,6 +21,7 @@ struct PatchRequest {
 };
 
 struct MeshRequest {
+  std::filesystem::path file;  ///< Of the configuration.
   MeshConfiguration configuration;
   std::optional<SamplingBox> box;
   Place boxPlace;             ///< Where the box stands in the scene, or is missing.

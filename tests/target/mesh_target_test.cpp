@@ -112,6 +112,7 @@ TEST(MeshRequest, DiffersByEachOfItsSettings) {
   const MeshRequest plain;
   EXPECT_EQ(plain, MeshRequest());
   for (const auto& change : std::vector<std::function<void(MeshRequest&)>>{
+           [](MeshRequest& r) { r.file = "m.toml"; },
            [](MeshRequest& r) { r.configuration.mesh = "m.obj"; },
            [](MeshRequest& r) { r.configuration.worldFromMesh.translation().x() = 1; },
            [](MeshRequest& r) { r.configuration.samplesU = 4; },

@@ -19,7 +19,7 @@ FidelityCase sceneCase(const std::filesystem::path& folder, const std::string& n
 Scene randomScene(const std::string& name, unsigned seed) {
   Scene scene{.name = name, .title = fmt::format("Random patch {}", seed), .file = name};
   const BezierPatch patch = randomPatch(seed);
-  scene.surface = PatchRequest{patch.controlPoints(), {}};
+  scene.surface = PatchRequest{.controlPoints = patch.controlPoints()};
   scene.design = requestForRandomPatch(surveySurface(patch));
   return scene;
 }

@@ -1,0 +1,34 @@
+#pragma once
+#include <limits>
+
+#include "app/scene.h"
+#include "core/document_toml_key.h"
+#include "core/toml_key.h"
+
+namespace morphgrid {
+
+using SceneKey = TomlKey<Scene>;
+using SceneKeySection = TomlKeySection<Scene>;
+
+/// Of what there is at least one.
+inline constexpr IntegerRange kCounts{1, std::numeric_limits<int>::max()};
+
+/// All keys of scene files, section by section: readers, knobs and docs/scene_format.md come from
+/// here. Kinds are those of surfaces, as SurfaceRequest has them.
+const std::vector<SceneKeySection>& sceneKeys();
+
+/// The kinds of surfaces, and what a scene of each begins with.
+const RecordKinds<Scene>& sceneKinds();
+
+/// What a request of this kind begins with.
+SurfaceRequest emptyRequest(std::size_t kind);
+
+/// From a fifth of a quantity > 0 to five times as much.
+KnobOffer aroundItsValue(std::string label);
+
+// Parts of sceneKeys(), each in a file of its own.
+SceneKeySection surfaceKeys();
+SceneKeySection gridKeys();
+SceneKeySection designKeys();
+
+}  // namespace morphgrid

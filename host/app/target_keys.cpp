@@ -1,0 +1,227 @@
+// Which surface to reach, and with what grid.
+#include <numbers>
+
+#include "app/scene_keys.h"
+#include "core/key_place.h"
+
+namespace morphgrid {
+namespace {
+
+using Kinds = std::vector<std::size_t>;
+
+const Kinds kPatch{0};
+const Kinds kMesh{1};
+const Kinds kBent{2};
+const Kinds kMeasured{0, 1};
+
+constexpr IntegerRange kRounds{0, 10000};
+
+template <typename Value>
+KeyPlace<Scene, Value> ofPatch(Value PatchRequest::*value) {
+  return within<PatchRequest>(&Scene::surface, value);
+}
+
+template <typename Value>
+KeyPlace<Scene, Value> ofMesh(Value MeshRequest::*value) {
+  return within<MeshRequest>(&Scene::surface, value);
+}
+
+template <typename Value>
+KeyPlace<Scene, Value> ofBends(Value BendAngleRequest::*value) {
+  return within<BendAngleRequest>(&Scene::surface, value);
+}
+
+template <typename Value>
+KeyPlace<Scene, Value> ofDesign(Value DesignRequest::*value) {
+  return at(&Scene::design, value);
+}
+
+/// The alternative of the scene's surface.
+WordKey<Scene> kindKey() {
+  return {{[](const Scene& scene) { return std::optional(scene.surface.index()); },
+           [](Scene& scene, std::size_t kind) { scene.surface = emptyRequest(kind); }},
+          {kSurfaceWords.begin(), kSurfaceWords.end()}};
+}
+
+SceneKey boxKey(const char* name, double SamplingBox::*value, const NumberRange& range,
+                const char* meaning) {
+  return {.name = name,
+          .value = numberKey(within(&Scene::surface, &MeshRequest::box, value), range),
+          .unit = "length",
+          .kinds = kMesh,
+          .defaultInWords = "required",
+          .meaning = meaning};
+}
+
+SceneKey bendKey(const char* name, double BendAngleRequest::*first, double BendAngleRequest::*last,
+                 const char* meaning) {
+  constexpr double pi = std::numbers::pi;
+  return {.name = name,
+          .value = numberPairKey(ofBends(first), ofBends(last), fromTo(-pi, pi)),
+          .unit = "rad",
+          .kinds = kBent,
+          .meaning = meaning};
+}
+
+}  // namespace
+
+SceneKeySection surfaceKeys() {
+  return {
+      "surface",
+      {
+          {.name = "kind",
+           .value = kindKey(),
+           .isRequired = true,
+           .meaning = "How the surface is given."},
+          {.name = "patch",
+           .value = fileKey(ofPatch(&PatchRequest::file)),
+           .kinds = kPatch,
+           .isRequired = true,
+           .meaning = "The patch file, relative to the scene file."},
+          {.name = "mesh",
+           .value = fileKey(ofMesh(&MeshRequest::file), "mesh configuration"),
+           .kinds = kMesh,
+           .isRequired = true,
+           .meaning = "The mesh configuration, relative to the scene file."},
+          boxKey("u_start", &SamplingBox::uStart, {},
+                 "Where the box of rays begins along u, the y axis."),
+          boxKey("v_start", &SamplingBox::vStart, {}, "Where it begins along v, the z axis."),
+          boxKey("u_length", &SamplingBox::uLength, above(0), "Its extent along u."),
+          boxKey("v_length", &SamplingBox::vLength, above(0), "Its extent along v."),
+          {.name = "fill_holes",
+           .value = numberKey(ofMesh(&MeshRequest::fillHoles), atLeast(0)),
+           .unit = "length",
+           .kinds = kMesh,
+           .meaning = "Where rays miss, holes up to this width are closed by interpolation from "
+                      "their rim. Larger ones, and those at the box's edge, stop the run."},
+          {.name = "steepest_slope",
+           .value = numberKey(ofMesh(&MeshRequest::steepestSlope), above(0)),
+           .kinds = kMesh,
+           .meaning = "The steepest step in x between neighbouring rays, over their distance. A "
+                      "steeper one is taken for an overhang seen from the side and stops the run."},
+          {.name = "smoothing_width",
+           .value = numberKey(ofMesh(&MeshRequest::smoothingWidth), atLeast(0)),
+           .unit = "length",
+           .kinds = kMesh,
+           .meaning = "Curvature is smoothed along the isolines over this width, for meshes that "
+                      "are rough."},
+          bendKey("theta_u", &BendAngleRequest::firstThetaU, &BendAngleRequest::lastThetaU,
+                  "Bend angle of the first and last strut of every row along u, linear between. "
+                  "Positive bends towards the top layer."),
+          bendKey("theta_v", &BendAngleRequest::firstThetaV, &BendAngleRequest::lastThetaV,
+                  "The same along v."),
+          {.name = "spacing",
+           .value = numberKey(ofBends(&BendAngleRequest::spacing), above(0)),
+           .unit = "length",
+           .kinds = kBent,
+           .meaning = "Length of the lateral struts before they shrink."},
+      }};
+}
+
+SceneKeySection gridKeys() {
+  return {
+      "grid",
+      {
+          {.name = "layers",
+           .value = integerKey(ofDesign(&DesignRequest::layers), {1, 64}),
+           .knob = KnobOffer{"layers"},
+           .meaning = "Layers of the grid. One layer cannot bend."},
+          {.name = "layer_spacing",
+           .value = numberKey(ofDesign(&DesignRequest::layerSpacing), above(0)),
+           .unit = "length",
+           .isRequired = true,
+           .knob = aroundItsValue("layer spacing"),
+           .meaning = "Distance of neighbouring layers, tau in the paper. For surfaces that are "
+                      "measured it is lowered where they curve too strongly for it (Eq. 21)."},
+          {.name = "nodes_long",
+           .value = integerKey(ofDesign(&DesignRequest::nodesLong), kCounts),
+           .kinds = kMeasured,
+           .knob = KnobOffer{"nodes"},
+           .meaning = "Nodes along the longer direction; the other direction follows from the "
+                      "aspect ratio (Eq. 22). Raised where the surface curves too strongly for so "
+                      "few (Eq. 23)."},
+          {.name = "max_shrinkage",
+           .value = numberKey(ofDesign(&DesignRequest::maxShrinkage), between(0, 1)),
+           .unit = "share",
+           .knob = KnobOffer{"max shrinkage", 0.05, 0.95},
+           .meaning = "Share of its printed length that a strut can lose. Limits the layer spacing "
+                      "of surfaces that are measured (Eq. 21); the report counts the struts over "
+                      "it."},
+          {.name = "curvature_cutoff",
+           .value = numberKey(ofDesign(&DesignRequest::curvatureCutoff), aboveUpTo(0, 1)),
+           .unit = "share",
+           .kinds = kMeasured,
+           .knob = KnobOffer{"cutoff p", 0.5, 1},
+           .meaning = "Share of the measured curvatures that stay as they are; stronger ones are "
+                      "capped to the largest of these. `morphgrid check` suggests one."},
+          {.name = "strut_thickness",
+           .value = numberKey(ofDesign(&DesignRequest::strutThickness), above(0)),
+           .unit = "length",
+           .meaning = "How thick a strut is printed. Where it is given, struts that come closer to "
+                      "each other are reported."},
+          {.name = "nodes_u",
+           .value = integerKey(ofBends(&BendAngleRequest::nodesU), kCounts),
+           .kinds = kBent,
+           .isRequired = true,
+           .meaning = "Nodes along u."},
+          {.name = "nodes_v",
+           .value = integerKey(ofBends(&BendAngleRequest::nodesV), kCounts),
+           .kinds = kBent,
+           .isRequired = true,
+           .meaning = "Nodes along v."},
+      }};
+}
+
+SceneKeySection designKeys() {
+  return {
+      "design",
+      {
+          {.name = "net",
+           .value = wordKey(ofDesign(&DesignRequest::net), kNetWords),
+           .kinds = kMeasured,
+           .knob = KnobOffer{"net"},
+           .meaning = "Lines along the isolines of the parameters, as in the paper, or crossing at "
+                      "right angles, as the corners of the grid want it. An orthogonal net has its "
+                      "own ratio of the node counts."},
+          {.name = "reference",
+           .value = wordKey(ofDesign(&DesignRequest::reference), kReferenceWords),
+           .kinds = kMeasured,
+           .otherwise =
+               [](Scene& scene) {
+                 scene.design.reference =
+                     scene.design.net == NetKind::isoline ? Reference::convex : Reference::middle;
+               },
+           .defaultInWords = "`\"convex\"` for `\"isoline\"`, `\"middle\"` for `\"orthogonal\"`",
+           .knob = KnobOffer{"reference"},
+           .meaning =
+               "What has the target's lengths: each strut's convex side, as in the paper, or "
+               "the middle of the layers, each of which then lies on an offset surface of "
+               "the target. With `\"middle\"` the curvature cutoff bounds the layer spacing "
+               "and the nodes, but caps no bend."},
+          {.name = "max_strut_ratio",
+           .value = numberKey(ofDesign(&DesignRequest::maxStrutRatio), above(1)),
+           .kinds = kMeasured,
+           .meaning = "The longest chord of an orthogonal net may be so many times the shortest: "
+                      "the net is blended with the isolines as little as that takes."},
+          {.name = "compensate",
+           .value = integerKey(ofDesign(&DesignRequest::compensateRounds), kRounds),
+           .kinds = kMeasured,
+           .knob = KnobOffer{"compensation rounds"},
+           .meaning = "Rounds of spring-back correction: rest lengths are multiplied by designed / "
+                      "simulated length and the grid solved again."},
+          {.name = "optimise",
+           .value = integerKey(ofDesign(&DesignRequest::optimiseSteps), kRounds),
+           .kinds = kMeasured,
+           .meaning = "Steps of adjoint optimisation of the lateral rest lengths, after the "
+                      "correction. Both only for `solver.method = \"multigrid\"`."},
+          {.name = "enforce_shrinkage",
+           .value = booleanKey(ofDesign(&DesignRequest::enforceShrinkage)),
+           .kinds = kMeasured,
+           .meaning = "Whether every strut stays between its printed length and what "
+                      "`grid.max_shrinkage` leaves of it, on a sheet that is printed as large as "
+                      "that takes; otherwise the two above stay within 30 % of the designed "
+                      "length."},
+      }};
+}
+
+}  // namespace morphgrid
