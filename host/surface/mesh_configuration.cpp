@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <numbers>
-#include <tuple>
 
 #include "core/key_place.h"
 #include "core/read_toml_key.h"
@@ -103,11 +102,9 @@ const std::vector<TomlKey<MeshConfiguration>>& meshConfigurationKeys() {
 }
 
 bool MeshConfiguration::operator==(const MeshConfiguration& other) const {
-  const auto tied = [](const MeshConfiguration& configuration) {
-    const auto& [file, world, countU, countV, rounds] = configuration;
-    return std::tuple(file, Eigen::Matrix4d(world.matrix()), countU, countV, rounds);
-  };
-  return tied(*this) == tied(other);
+  const auto& [file, world, countU, countV, rounds] = *this;  // All members: another must be here.
+  return file == other.mesh && world.matrix() == other.worldFromMesh.matrix() &&
+         countU == other.samplesU && countV == other.samplesV && rounds == other.subdivisions;
 }
 
 MeshConfiguration readMeshConfiguration(const std::filesystem::path& file) {
