@@ -13,7 +13,7 @@ std::string withSceneKeys(std::string document) {
   for (const SceneKeySection& section : sceneKeys()) {
     const std::string where =
         section.name.empty() ? "the top level" : fmt::format("[{}]", section.name);
-    document = withBlock(document, "keys of " + where, scene.table(section.keys));
+    document = withBlock(document, fmt::format("keys of {}", where), scene.table(section.keys));
   }
   const RecordKinds<MeshConfiguration> kinds{{}, [](std::size_t) { return MeshConfiguration(); }};
   return withBlock(document, "keys of mesh configurations",

@@ -171,17 +171,17 @@ KnobOffer aroundItsValue(std::string label) {
 }
 
 const std::vector<SceneKeySection>& sceneKeys() {
-  static const std::vector<SceneKeySection> sections = {topKeys(),    surfaceKeys(), gridKeys(),
-                                                        designKeys(), weightKeys(),  solverKeys(),
-                                                        outputKeys(), paperKeys()};
-  return sections;
+  static const std::vector<SceneKeySection> kSections = {topKeys(),    surfaceKeys(), gridKeys(),
+                                                         designKeys(), weightKeys(),  solverKeys(),
+                                                         outputKeys(), paperKeys()};
+  return kSections;
 }
 
 const RecordKinds<Scene>& sceneKinds() {
-  static const RecordKinds<Scene> kinds{
+  static const RecordKinds<Scene> kKinds{
       {kSurfaceWords.begin(), kSurfaceWords.end()},
       [](std::size_t kind) { return Scene{.surface = emptyRequest(kind)}; }};
-  return kinds;
+  return kKinds;
 }
 
 SurfaceRequest emptyRequest(std::size_t kind) {

@@ -77,7 +77,7 @@ void readTransforms(TomlReader& reader, MeshConfiguration& configuration) {
 
 const std::vector<TomlKey<MeshConfiguration>>& meshConfigurationKeys() {
   using Mesh = MeshConfiguration;
-  static const std::vector<TomlKey<Mesh>> keys = {
+  static const std::vector<TomlKey<Mesh>> kKeys = {
       {.name = "mesh",
        .value =
            fileKey(at(&Mesh::mesh), "file", "(tools/run installs and makes the meshes of scenes/)"),
@@ -98,7 +98,7 @@ const std::vector<TomlKey<MeshConfiguration>>& meshConfigurationKeys() {
        .meaning = "Moves the mesh, in this order. `rotate` is a table of `axis` (3 numbers) and "
                   "`degrees`; `scale` a number > 0 or 3 of them; `translate` 3 numbers."},
   };
-  return keys;
+  return kKeys;
 }
 
 bool MeshConfiguration::operator==(const MeshConfiguration& other) const {
