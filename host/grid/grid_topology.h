@@ -54,12 +54,20 @@ struct GridShape {
   constexpr int cellsU() const { return verticesU - 1; }
   constexpr int cellsV() const { return verticesV - 1; }
   constexpr int layerCellCount() const { return cellsU() * cellsV(); }
+  constexpr int strutCount(Strut::Direction direction) const {
+    switch (direction) {
+      case Strut::Direction::u:
+        return cellsU() * verticesV * layers;
+      case Strut::Direction::v:
+        return verticesU * cellsV() * layers;
+      default:
+        return layerVertexCount() * (layers - 1);
+    }
+  }
   constexpr int lateralStrutCount() const {
-    return layers * (cellsU() * verticesV + verticesU * cellsV());
+    return strutCount(Strut::Direction::u) + strutCount(Strut::Direction::v);
   }
-  constexpr int strutCount() const {
-    return lateralStrutCount() + (layers - 1) * layerVertexCount();
-  }
+  constexpr int strutCount() const { return lateralStrutCount() + strutCount(Strut::Direction::w); }
 
   int index(int i, int j, int k) const {
     return vertexIndex({verticesU, verticesV, layers}, {i, j, k});

@@ -77,12 +77,6 @@ StrutPush strutPush(const DeviceGrid& grid, const LocalView& view) {
   return push;
 }
 
-std::array<int, 3> strutCounts(const GridShape& shape) {
-  return {(shape.verticesU - 1) * shape.verticesV * shape.layers,
-          shape.verticesU * (shape.verticesV - 1) * shape.layers,
-          shape.layerVertexCount() * (shape.layers - 1)};
-}
-
 SurfacePush surfacePush(const DeviceGrid& grid, const LocalView& view,
                         std::optional<int> mostQuads) {
   const GridShape& shape = grid.shape();

@@ -1,6 +1,5 @@
 #pragma once
 #include <Eigen/Geometry>
-#include <array>
 #include <optional>
 
 #include "gpu/resource_set.h"
@@ -25,9 +24,6 @@ LocalView viewOf(const DeviceGrid& grid, const Eigen::Isometry3d& worldFromGrid,
 
 /// For the struts to +u; for others set `direction`.
 StrutPush strutPush(const DeviceGrid& grid, const LocalView& view);
-
-/// Struts to +u, +v, +w.
-std::array<int, 3> strutCounts(const GridShape& shape);
 
 /// The surface is refined up to about as many quads as look smooth. mostQuads: it is drawn with
 /// about as many at most, through fewer vertices than there are if need be.

@@ -147,9 +147,9 @@ void GridPainter::drawStruts(const CommandBuffer& commands, const GridResources&
     drawn.verticesV = lattice.y;
   }
   pipeline.bind(commands, set);
-  const std::array<int, 3> counts = strutCounts(drawn);
   for (push.direction = 0; push.direction < 3; ++push.direction) {
-    const auto count = static_cast<uint>(counts[push.direction]);
+    const auto count =
+        static_cast<uint>(drawn.strutCount(static_cast<Strut::Direction>(push.direction)));
     if (look.directions[push.direction] && count > 0) {
       pipeline.draw(commands, push, count * verticesPerStrut(look.style));
     }

@@ -93,33 +93,42 @@ Matrix3Xd resampleLayers(const GridShape& from, const Matrix3Xd& positions, cons
   return result;
 }
 
+/// A grid's lines of struts along u or v: in each layer `count` of `struts` each.
+struct StrutLines {
+  GridShape shape;
+  Strut::Direction along;
+
+  bool isAlongU() const { return along == Strut::Direction::u; }
+  int struts() const { return isAlongU() ? shape.cellsU() : shape.cellsV(); }
+  int count() const { return isAlongU() ? shape.verticesV : shape.verticesU; }
+  /// The n-th vertex of a line.
+  int vertex(int n, int line, int layer) const {
+    return isAlongU() ? shape.index(n, line, layer) : shape.index(line, n, layer);
+  }
+  /// visit(strut, n, line): it is the n-th strut of that line. From each line's start on.
+  template <typename Visit>
+  void forEachStrut(const Visit& visit) const {
+    forEachLateralStrut(shape, [&](const Strut& strut) {
+      if (strut.direction != along) return;
+      const GridPlace from = shape.place(strut.from);
+      visit(strut, isAlongU() ? from.i : from.j, isAlongU() ? from.j : from.i);
+    });
+  }
+};
+
 /// Sums of a value of lateral struts along their lines, from the line's start to any place.
 class LineSums {
  public:
-  enum class Direction { u, v };
-
-  LineSums(const GridShape& shape, const std::vector<double>& values, Direction along)
-      : along_(along),
-        struts_((along == Direction::u ? shape.verticesU : shape.verticesV) - 1),
-        lines_(along == Direction::u ? shape.verticesV : shape.verticesU),
-        sums_(static_cast<std::size_t>(struts_ + 1) * lines_ * shape.layers) {
-    for (int k = 0; k < shape.layers; ++k) {
-      for (int line = 0; line < lines_; ++line) {
-        for (int n = 0; n < struts_; ++n) {
-          const int vertex =
-              along == Direction::u ? shape.index(n, line, k) : shape.index(line, n, k);
-          sums_[index(n + 1, line, k)] = sums_[index(n, line, k)] + values[vertex];
-        }
-      }
-    }
+  LineSums(const StrutLines& lines, const std::vector<double>& values)
+      : lines_(lines), sums_(static_cast<std::size_t>(lines.shape.vertexCount())) {
+    lines.forEachStrut([&](const Strut& strut, int, int) {
+      sums_[strut.to] = sums_[strut.from] + values[strut.from];
+    });
   }
-
-  int struts() const { return struts_; }
-  int lines() const { return lines_; }
 
   /// Between two places along a line that may lie between lines.
   double between(double from, double to, double line, int layer) const {
-    const Stencil across = linearStencil(line, lines_);
+    const Stencil across = linearStencil(line, lines_.count());
     double sum = 0;
     for (int q = 0; q < across.count; ++q) {
       const int n = across.first + q;
@@ -129,43 +138,32 @@ class LineSums {
   }
 
  private:
-  std::size_t index(int n, int line, int layer) const {
-    return (static_cast<std::size_t>(layer) * lines_ + line) * (struts_ + 1) + n;
-  }
   double sumTo(double place, int line, int layer) const {
-    const Stencil along = linearStencil(place, struts_ + 1);
+    const Stencil along = linearStencil(place, lines_.struts() + 1);
     double sum = 0;
     for (int p = 0; p < along.count; ++p) {
-      sum += along.weights[p] * sums_[index(along.first + p, line, layer)];
+      sum += along.weights[p] * sums_[lines_.vertex(along.first + p, line, layer)];
     }
     return sum;
   }
 
-  Direction along_;
-  int struts_;
-  int lines_;
-  std::vector<double> sums_;
+  StrutLines lines_;
+  std::vector<double> sums_;  ///< One a vertex: that of its line up to there.
 };
 
 /// The rest lengths (or, as means, the stiffnesses) of a coarse grid's lateral struts.
 std::vector<double> coarsenLateral(const GridShape& fine, const std::vector<double>& values,
-                                   const GridShape& coarse, LineSums::Direction along, bool mean) {
-  const LineSums sums(fine, values, along);
-  const bool alongU = along == LineSums::Direction::u;
-  const int struts = (alongU ? coarse.verticesU : coarse.verticesV) - 1;
-  const int lines = alongU ? coarse.verticesV : coarse.verticesU;
-  const double span = double(sums.struts()) / struts;
+                                   const GridShape& coarse, Strut::Direction along, bool mean) {
+  const StrutLines from{fine, along};
+  const StrutLines to{coarse, along};
+  const LineSums sums(from, values);
+  const double span = double(from.struts()) / to.struts();
   std::vector<double> result(coarse.vertexCount());
-  for (int k = 0; k < coarse.layers; ++k) {
-    for (int line = 0; line < lines; ++line) {
-      for (int n = 0; n < struts; ++n) {
-        const double sum =
-            sums.between(n * span, (n + 1) * span, matchingPlace(line, lines, sums.lines()), k);
-        const int vertex = alongU ? coarse.index(n, line, k) : coarse.index(line, n, k);
-        result[vertex] = mean ? sum / span : sum;
-      }
-    }
-  }
+  to.forEachStrut([&](const Strut& strut, int n, int line) {
+    const double sum = sums.between(n * span, (n + 1) * span,
+                                    matchingPlace(line, to.count(), from.count()), strut.layer);
+    result[strut.from] = mean ? sum / span : sum;
+  });
   return result;
 }
 
@@ -240,7 +238,7 @@ double largestTurn(const StrutGrid& grid) {
 }
 
 StrutGrid coarsened(const StrutGrid& fine, const GridShape& shape) {
-  using enum LineSums::Direction;
+  using enum Strut::Direction;
   StrutGrid coarse{shape, 0, {}, StrutValues(shape), StrutValues(shape), fine.angleWeight};
   coarse.spacing = fine.spacing * std::max(fine.shape.cellsU(), fine.shape.cellsV()) /
                    std::max(shape.cellsU(), shape.cellsV());

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cstdlib>
+#include <map>
 #include <set>
 #include <tuple>
 #include <vector>
@@ -53,6 +54,16 @@ TEST_P(Topology, StrutsJoinAllNeighboursOnce) {
   }
   EXPECT_EQ(joined, neighbours);
   EXPECT_EQ(shape_.strutCount(), static_cast<int>(neighbours.size()));
+}
+
+TEST_P(Topology, CountsTheStrutsOfEachDirection) {
+  std::map<Strut::Direction, int> counts;
+  for (const Strut& strut : listStruts(shape_)) {
+    ++counts[strut.direction];
+  }
+  for (const auto direction : {Strut::Direction::u, Strut::Direction::v, Strut::Direction::w}) {
+    EXPECT_EQ(shape_.strutCount(direction), counts[direction]);
+  }
 }
 
 TEST_P(Topology, StrutsComeInTheOrderOfTheirVertices) {
