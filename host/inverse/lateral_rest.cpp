@@ -19,12 +19,6 @@ VectorXd LateralRest::of(const StrutGrid& grid) const {
   return collect([&](const Strut& strut) { return valueAt(grid.rest, strut); });
 }
 
-void LateralRest::set(StrutGrid& grid, const VectorXd& lengths) const {
-  Eigen::Index n = 0;
-  forEachLateralStrut(shape_,
-                      [&](const Strut& strut) { valueAt(grid.rest, strut) = lengths[n++]; });
-}
-
 StrutValues LateralRest::replacedIn(const StrutGrid& grid, const VectorXd& lengths) const {
   StrutValues rest = grid.rest;
   Eigen::Index n = 0;

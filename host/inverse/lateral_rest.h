@@ -14,8 +14,7 @@ class LateralRest {
   Eigen::Index size() const { return shape_.lateralStrutCount(); }
 
   Eigen::VectorXd of(const StrutGrid& grid) const;
-  void set(StrutGrid& grid, const Eigen::VectorXd& lengths) const;
-  /// grid.rest with these instead.
+  /// grid.rest with these lengths, one a lateral strut, in place of its own.
   StrutValues replacedIn(const StrutGrid& grid, const Eigen::VectorXd& lengths) const;
 
   /// Distances of the struts' ends. positions: 3 x vertexCount.

@@ -36,7 +36,7 @@ TEST_F(InverseDesignTest, AdjointGradientIsThatOfFiniteDifferences) {
   const Matrix3Xd targets = bentFurther(grid_.shape, equilibrium.positions);
   const auto objectiveWith = [&](const LateralRest& lateral, const VectorXd& rest) {
     StrutGrid grid = grid_;
-    lateral.set(grid, rest);
+    grid.rest = lateral.replacedIn(grid, rest);
     grid.positions = equilibrium.positions;
     const Equilibrium moved = solveReference(grid, {.tolerance = 1e-13});
     return computeShapeError(grid.shape, moved.positions, targets).objective;
@@ -85,7 +85,7 @@ TEST_F(InverseDesignTest, OptimisationMeetsAReachableTarget) {
   for (Eigen::Index n = 0; n < rest.size(); ++n) {
     rest[n] *= 1 + 0.03 * std::sin(0.7 * static_cast<double>(n));
   }
-  lateral.set(other, rest);
+  other.rest = lateral.replacedIn(other, rest);
   const Matrix3Xd targets =
       middleLayer(grid_.shape, solveReference(other, {.tolerance = 1e-11}).positions);
 

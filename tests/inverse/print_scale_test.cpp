@@ -18,7 +18,7 @@ StrutGrid gridWithShares(const std::vector<double>& shares) {
   for (Eigen::Index n = 0; n < rest.size(); ++n) {
     rest[n] *= shares[static_cast<std::size_t>(n) % shares.size()];
   }
-  lateral.set(grid, rest);
+  grid.rest = lateral.replacedIn(grid, rest);
   return grid;
 }
 
