@@ -93,7 +93,10 @@ json parseJson(const MeshSource& source, std::string_view text) {
 void requireUncompressed(const MeshSource& source, const json& gltf) {
   const json required = gltf.value("extensionsRequired", json::array());
   for (const char* const name : {"KHR_draco_mesh_compression", "EXT_meshopt_compression"}) {
-    if (std::ranges::find(required, name) != required.end()) {
+    const auto isName = [&](const json& one) {
+      return one.is_string() && one.get_ref<const std::string&>() == name;
+    };
+    if (std::ranges::any_of(required, isName)) {
       throw source.error(fmt::format("needs the extension {}, which cannot be read", name));
     }
   }

@@ -27,8 +27,8 @@ TEST(SceneErrors, KeysOfAnotherKind) {
             "scene.toml:10:11: grid.nodes_v belongs to surfaces of kind \"bend_angles\", this one "
             "is \"bezier\"");
   EXPECT_EQ(
-      SceneFiles("surface = { kind = \"bend_angles\", patch = \"missing.toml\" }\n" +
-                 std::string("[grid]\nlayer_spacing = 1\nnodes_u = 1\nnodes_v = 1\n") +
+      SceneFiles("surface = { kind = \"bend_angles\", patch = \"missing.toml\" }\n"
+                 "[grid]\nlayer_spacing = 1\nnodes_u = 1\nnodes_v = 1\n"
                  "nodes_long = 0\nmax_shrinkage = 0.4\ncurvature_cutoff = 1\n")
           .problems(),
       "scene.toml:1:43: surface.patch belongs to surfaces of kind \"bezier\", this one is "
