@@ -57,4 +57,20 @@ class TomlKeyReader {
   Record& record_;
 };
 
+/// Reads a file whose keys all stand at the top level. Throws InputError with every problem,
+/// unknown keys among them, as `file:line:column: ...`, one a line.
+template <typename Record>
+Record readTopLevel(TomlReader& reader, const std::vector<TomlKey<Record>>& keys) {
+  Record record{};
+  TomlSection root = reader.root();
+  TomlKeyReader<Record> values(reader, root, record);
+  for (const TomlKey<Record>& key : keys) {
+    values.read(key);
+    if (key.isRequired) root.require(key.name);
+  }
+  reader.reportUnknownKeys();
+  reader.problems.throwIfAny();
+  return record;
+}
+
 }  // namespace morphgrid

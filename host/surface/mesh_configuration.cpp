@@ -109,16 +109,7 @@ bool MeshConfiguration::operator==(const MeshConfiguration& other) const {
 
 MeshConfiguration readMeshConfiguration(const std::filesystem::path& file) {
   TomlReader reader(file, parseToml(file));
-  TomlSection root = reader.root();
-  MeshConfiguration mesh;
-  TomlKeyReader<MeshConfiguration> values(reader, root, mesh);
-  for (const auto& key : meshConfigurationKeys()) {
-    values.read(key);
-    if (key.isRequired) root.require(key.name);
-  }
-  reader.reportUnknownKeys();
-  reader.problems.throwIfAny();
-  return mesh;
+  return readTopLevel(reader, meshConfigurationKeys());
 }
 
 }  // namespace morphgrid
