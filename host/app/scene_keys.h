@@ -26,6 +26,19 @@ SurfaceRequest emptyRequest(std::size_t kind);
 /// From a fifth of a quantity > 0 to five times as much.
 KnobOffer aroundItsValue(std::string label);
 
+/// visit(section, key, const FileKey<Scene>&) of each key that names a file; the names as in
+/// sceneKeys().
+template <typename Visit>
+void forEachFileKey(Visit visit) {
+  for (const SceneKeySection& section : sceneKeys()) {
+    for (const SceneKey& key : section.keys) {
+      if (const auto* file = std::get_if<FileKey<Scene>>(&key.value)) {
+        visit(section.name, key.name, *file);
+      }
+    }
+  }
+}
+
 // Parts of sceneKeys(), each in a file of its own.
 SceneKeySection surfaceKeys();
 SceneKeySection gridKeys();

@@ -1,7 +1,10 @@
 #include "app/scene_sources.h"
 
+#include <algorithm>
+#include <iterator>
+
+#include "app/scene_keys.h"
 #include "core/toml_reader.h"
-#include "surface/mesh_configuration.h"
 
 namespace morphgrid {
 
@@ -9,14 +12,14 @@ std::vector<std::filesystem::path> listSceneSources(const std::filesystem::path&
                                                     const std::vector<std::string>& overrides) {
   std::vector<std::filesystem::path> sources = listTomlFiles(scene, overrides);
   TomlReader reader(scene, parseToml(scene, overrides));
-  TomlSection surface = reader.section("surface");
-  if (const auto patch = surface.path("patch")) {
-    sources.push_back(*patch);
-  }
-  if (const auto mesh = surface.path("mesh")) {
-    sources.push_back(*mesh);
-    sources.push_back(readMeshConfiguration(*mesh).mesh);
-  }
+  forEachFileKey([&](const auto& section, const auto& name, const FileKey<Scene>& key) {
+    const auto file = reader.section(section).path(name);
+    if (!file) return;
+    sources.push_back(*file);
+    if (key.listNamed) {
+      std::ranges::copy(key.listNamed(*file), std::back_inserter(sources));
+    }
+  });
   return sources;
 }
 

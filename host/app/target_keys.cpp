@@ -3,6 +3,7 @@
 
 #include "app/scene_keys.h"
 #include "core/key_place.h"
+#include "surface/mesh_configuration.h"
 
 namespace morphgrid {
 namespace {
@@ -43,6 +44,14 @@ WordKey<Scene> kindKey() {
           {kSurfaceWords.begin(), kSurfaceWords.end()}};
 }
 
+FileKey<Scene> meshConfigurationKey() {
+  FileKey<Scene> key = fileKey(ofMesh(&MeshRequest::file), "mesh configuration");
+  key.listNamed = [](const std::filesystem::path& file) {
+    return std::vector{readMeshConfiguration(file).mesh};
+  };
+  return key;
+}
+
 SceneKey boxKey(const char* name, double SamplingBox::*value, const NumberRange& range,
                 const char* meaning) {
   return {.name = name,
@@ -79,7 +88,7 @@ SceneKeySection surfaceKeys() {
            .isRequired = true,
            .meaning = "The patch file, relative to the scene file."},
           {.name = "mesh",
-           .value = fileKey(ofMesh(&MeshRequest::file), "mesh configuration"),
+           .value = meshConfigurationKey(),
            .kinds = kMesh,
            .isRequired = true,
            .meaning = "The mesh configuration, relative to the scene file."},

@@ -65,6 +65,8 @@ struct FileKey {
   KeyAccess<Record, std::filesystem::path> access;
   std::string what = "file";  ///< For messages.
   std::string hint;           ///< What to do where there is none; may be empty.
+  /// The files that such a file names in its turn. Empty: it names none.
+  std::function<std::vector<std::filesystem::path>(const std::filesystem::path&)> listNamed = {};
 };
 
 /// What has a reader of its own.
