@@ -6,187 +6,180 @@
 #include <utility>
 
 #include "core/atomic_file.h"
-#include "core/binary_file.h"
 #include "core/error.h"
+#include "core/named_arrays.h"
+#include "state/history_array.h"
 
 namespace morphgrid {
 namespace {
 
-constexpr BinaryFormat kCheckpointFormat{
-    "checkpoint", 2, "resume from another one that --checkpoint wrote, or start anew"};
+constexpr ArrayFormat kCheckpointFormat{
+    "morphgrid checkpoint", 3, "checkpoint",
+    "resume from another one that --checkpoint wrote, or start anew"};
 
-constexpr std::size_t kSampleBytes = 5 * sizeof(double);
-constexpr std::size_t kStepBytes = 9 * sizeof(double);
+// Settings are texts whose names begin like this.
+constexpr std::string_view kSetting = "setting ";
+constexpr std::size_t kStepNumbers = 9;
+constexpr int kLargestPhase = 1 << 20;
+constexpr int kLargestCount = 1 << 30;
 
-void addHistory(BinaryWriter& writer, const std::vector<ConvergenceSample>& history) {
-  writer.integer(static_cast<std::int64_t>(history.size()));
-  for (const ConvergenceSample& s : history) {
-    writer.integer(s.iteration).number(s.energy).number(s.residual);
-    writer.number(s.seconds).number(s.gridShare);
-  }
+void addVector(ArrayList& arrays, const std::string& name, const Eigen::VectorXd& values) {
+  arrays.add(name, {static_cast<std::size_t>(values.size())}, values);
 }
 
-std::vector<ConvergenceSample> takeHistory(BinaryReader& reader) {
-  std::vector<ConvergenceSample> history(reader.count(kSampleBytes));
-  for (ConvergenceSample& s : history) {
-    s.iteration = reader.integer();
-    s.energy = reader.number();
-    s.residual = reader.number();
-    s.seconds = reader.number();
-    s.gridShare = reader.number();
-  }
-  return history;
+Eigen::VectorXd readVector(const ArrayReader& reader, const std::string& name) {
+  const ArrayShape& shape = reader.file().shapeOf(name);
+  reader.require(shape.size() == 1);
+  const std::vector<double> values = reader.numbers(name, shape);
+  return Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(shape[0]));
 }
 
-void add(BinaryWriter& writer, const Equilibrium& equilibrium) {
-  writer.points(equilibrium.positions).integer(equilibrium.iterations);
-  writer.integer(equilibrium.converged ? 1 : 0).integer(static_cast<int>(equilibrium.reason));
-  writer.number(equilibrium.residual).number(equilibrium.energy).number(equilibrium.seconds);
-  addHistory(writer, equilibrium.history);
+void addPositions(ArrayList& arrays, const std::string& name, const Eigen::Matrix3Xd& positions) {
+  arrays.add(name, {static_cast<std::size_t>(positions.cols()), 3}, positions);
 }
 
-Equilibrium takeEquilibrium(BinaryReader& reader) {
+Eigen::Matrix3Xd readPositions(const ArrayReader& reader, const std::string& name) {
+  return reader.points(name, {reader.rowCount(name, 3), 3});
+}
+
+void add(ArrayList& arrays, const std::string& name, const Equilibrium& equilibrium) {
+  addPositions(arrays, name + "_positions", equilibrium.positions);
+  arrays.addMade(name + "_summary", {6},
+                 {static_cast<double>(equilibrium.iterations), equilibrium.converged ? 1.0 : 0.0,
+                  static_cast<double>(equilibrium.reason), equilibrium.residual, equilibrium.energy,
+                  equilibrium.seconds});
+  addHistory(arrays, name + "_history", equilibrium.history);
+}
+
+Equilibrium readEquilibrium(const ArrayReader& reader, const std::string& name) {
+  const std::vector<double> summary = reader.bare(name + "_summary", {6});
   Equilibrium equilibrium;
-  equilibrium.positions = reader.points();
-  equilibrium.iterations = reader.integer();
-  equilibrium.converged = reader.integer(0, 1) == 1;
+  equilibrium.positions = readPositions(reader, name + "_positions");
+  equilibrium.iterations = reader.integer(summary[0], 0, kLargestExactInteger);
+  equilibrium.converged = reader.integer(summary[1], 0, 1) == 1;
   equilibrium.reason = static_cast<StopReason>(
-      reader.integer(0, static_cast<std::int64_t>(StopReason::deviceFailure)));
-  equilibrium.residual = reader.number();
-  equilibrium.energy = reader.number();
-  equilibrium.seconds = reader.number();
-  equilibrium.history = takeHistory(reader);
+      reader.integer(summary[2], 0, static_cast<double>(StopReason::deviceFailure)));
+  equilibrium.residual = summary[3];
+  equilibrium.energy = summary[4];
+  equilibrium.seconds = summary[5];
+  equilibrium.history = readHistory(reader, name + "_history");
   return equilibrium;
 }
 
-void add(BinaryWriter& writer, const SolveCheckpoint& solve) {
-  writer.integer(solve.phase).points(solve.positions);
-  writer.number(solve.iterations).number(solve.seconds);
-  addHistory(writer, solve.history);
+void add(ArrayList& arrays, const SolveCheckpoint& solve) {
+  addPositions(arrays, "solve_positions", solve.positions);
+  arrays.addMade("solve_summary", {3},
+                 {static_cast<double>(solve.phase), solve.iterations, solve.seconds});
+  addHistory(arrays, "solve_history", solve.history);
 }
 
-SolveCheckpoint takeSolve(BinaryReader& reader) {
-  SolveCheckpoint solve;
-  solve.phase = static_cast<int>(reader.integer(0, 1 << 20));
-  solve.positions = reader.points();
-  solve.iterations = reader.number();
-  solve.seconds = reader.number();
-  solve.history = takeHistory(reader);
-  return solve;
+SolveCheckpoint readSolve(const ArrayReader& reader) {
+  const std::vector<double> summary = reader.numbers("solve_summary", {3});
+  return {static_cast<int>(reader.integer(summary[0], 0, kLargestPhase)),
+          readPositions(reader, "solve_positions"), summary[1], summary[2],
+          readHistory(reader, "solve_history")};
 }
 
-void add(BinaryWriter& writer, const InverseStep& step) {
-  writer.integer(static_cast<int>(step.kind)).integer(step.number);
-  writer.number(step.rmsPercent).number(step.maxPercent).number(step.largestShrinkPercent);
-  writer.integer(step.strutsAtBound).integer(step.cycles).integer(step.adjointProducts);
-  writer.number(step.seconds);
+void addSteps(ArrayList& arrays, const std::vector<InverseStep>& steps) {
+  std::vector<double> values;
+  for (const InverseStep& step : steps) {
+    values.insert(values.end(),
+                  {static_cast<double>(step.kind), static_cast<double>(step.number),
+                   step.rmsPercent, step.maxPercent, step.largestShrinkPercent,
+                   static_cast<double>(step.strutsAtBound), static_cast<double>(step.cycles),
+                   static_cast<double>(step.adjointProducts), step.seconds});
+  }
+  arrays.addMade("inverse_steps", {steps.size(), kStepNumbers}, std::move(values));
 }
 
-InverseStep takeStep(BinaryReader& reader) {
-  InverseStep step{};
-  step.kind = static_cast<InverseStep::Kind>(
-      reader.integer(0, static_cast<std::int64_t>(InverseStep::Kind::optimise)));
-  step.number = static_cast<int>(reader.integer(0, std::int64_t{1} << 30));
-  step.rmsPercent = reader.number();
-  step.maxPercent = reader.number();
-  step.largestShrinkPercent = reader.number();
-  step.strutsAtBound = reader.integer();
-  step.cycles = reader.integer();
-  step.adjointProducts = static_cast<int>(reader.integer(0, std::int64_t{1} << 30));
-  step.seconds = reader.number();
-  return step;
+std::vector<InverseStep> readSteps(const ArrayReader& reader) {
+  const std::size_t count = reader.rowCount("inverse_steps", kStepNumbers);
+  const std::vector<double> values = reader.bare("inverse_steps", {count, kStepNumbers});
+  std::vector<InverseStep> steps;
+  for (auto at = values.begin(); at != values.end(); at += kStepNumbers) {
+    const auto kind = static_cast<InverseStep::Kind>(
+        reader.integer(at[0], 0, static_cast<double>(InverseStep::Kind::optimise)));
+    const auto countAt = [&](int n) { return reader.integer(at[n], 0, kLargestCount); };
+    steps.push_back({kind, static_cast<int>(countAt(1)), at[2], at[3], at[4], countAt(5),
+                     countAt(6), static_cast<int>(countAt(7)), at[8]});
+  }
+  return steps;
 }
 
-void add(BinaryWriter& writer, const InverseCheckpoint& inverse) {
-  writer.integer(inverse.compensated ? 1 : 0);
-  for (const InverseCheckpoint::Design* design : {&inverse.present, &inverse.kept}) {
-    writer.numbers(design->rest);
-    add(writer, design->equilibrium);
-  }
-  writer.integer(static_cast<std::int64_t>(inverse.keptSteps));
-  writer.integer(static_cast<std::int64_t>(inverse.steps.size()));
-  for (const InverseStep& step : inverse.steps) {
-    add(writer, step);
-  }
-  writer.numbers(inverse.objectives);
-  writer.integer(static_cast<std::int64_t>(inverse.pairs.size()));
-  for (const BoundedLbfgs::Pair& pair : inverse.pairs) {
-    writer.numbers(pair.step).numbers(pair.change);
+std::string pairName(std::size_t n) { return fmt::format("inverse_pair_{}", n); }
+
+void add(ArrayList& arrays, const InverseCheckpoint& inverse) {
+  arrays.addMade("inverse_summary", {2},
+                 {inverse.compensated ? 1.0 : 0.0, static_cast<double>(inverse.keptSteps)});
+  addVector(arrays, "present_rest", inverse.present.rest);
+  add(arrays, "present", inverse.present.equilibrium);
+  addVector(arrays, "kept_rest", inverse.kept.rest);
+  add(arrays, "kept", inverse.kept.equilibrium);
+  addSteps(arrays, inverse.steps);
+  arrays.add("inverse_objectives", {inverse.objectives.size()},
+             std::span<const double>(inverse.objectives));
+  for (std::size_t n = 0; n < inverse.pairs.size(); ++n) {
+    addVector(arrays, pairName(n) + "_step", inverse.pairs[n].step);
+    addVector(arrays, pairName(n) + "_change", inverse.pairs[n].change);
   }
 }
 
-InverseCheckpoint takeInverse(BinaryReader& reader) {
-  InverseCheckpoint inverse;
-  inverse.compensated = reader.integer(0, 1) == 1;
-  for (InverseCheckpoint::Design* design : {&inverse.present, &inverse.kept}) {
-    design->rest = reader.vector();
-    design->equilibrium = takeEquilibrium(reader);
-  }
-  inverse.keptSteps = static_cast<std::size_t>(reader.integer(0, std::int64_t{1} << 30));
-  for (std::size_t left = reader.count(kStepBytes); left > 0; --left) {
-    inverse.steps.push_back(takeStep(reader));
-  }
-  inverse.objectives = reader.numbers();
-  for (std::size_t left = reader.count(2 * sizeof(std::int64_t)); left > 0; --left) {
-    BoundedLbfgs::Pair pair;
-    pair.step = reader.vector();
-    pair.change = reader.vector();
-    inverse.pairs.push_back(std::move(pair));
+InverseCheckpoint readInverse(const ArrayReader& reader) {
+  const std::vector<double> summary = reader.bare("inverse_summary", {2});
+  const Eigen::VectorXd objectives = readVector(reader, "inverse_objectives");
+  InverseCheckpoint inverse{
+      reader.integer(summary[0], 0, 1) == 1,
+      {readVector(reader, "present_rest"), readEquilibrium(reader, "present")},
+      {readVector(reader, "kept_rest"), readEquilibrium(reader, "kept")},
+      static_cast<std::size_t>(reader.integer(summary[1], 0, kLargestCount)),
+      readSteps(reader),
+      {objectives.begin(), objectives.end()},
+      {}};
+  for (std::size_t n = 0; reader.has(pairName(n) + "_step"); ++n) {
+    inverse.pairs.push_back(
+        {readVector(reader, pairName(n) + "_step"), readVector(reader, pairName(n) + "_change")});
   }
   return inverse;
 }
 
-void add(BinaryWriter& writer, const ProblemIdentity& problem) {
-  writer.text(problem.digest).integer(static_cast<std::int64_t>(problem.settings.size()));
+std::vector<NamedText> textsOf(const ProblemIdentity& problem) {
+  std::vector<NamedText> texts{{"digest", problem.digest}};
   for (const auto& [name, value] : problem.settings) {
-    writer.text(name).text(value);
+    texts.push_back({std::string(kSetting) + name, value});
   }
+  return texts;
 }
 
-ProblemIdentity takeProblem(BinaryReader& reader) {
-  ProblemIdentity problem{reader.text(), {}};
-  for (std::size_t left = reader.count(2 * sizeof(std::int64_t)); left > 0; --left) {
-    std::string name = reader.text();
-    problem.settings.emplace(std::move(name), reader.text());
+ProblemIdentity readProblem(const ArrayFile& file) {
+  ProblemIdentity problem{file.text("digest"), {}};
+  for (const auto& [name, value] : file.texts()) {
+    if (name.starts_with(kSetting)) {
+      problem.settings.emplace(name.substr(kSetting.size()), value);
+    }
   }
   return problem;
-}
-
-template <typename T>
-void addOptional(BinaryWriter& writer, const std::optional<T>& value) {
-  writer.integer(value ? 1 : 0);
-  if (value) {
-    add(writer, *value);
-  }
-}
-
-template <typename Take>
-auto takeOptional(BinaryReader& reader, const Take& take) {
-  return reader.integer(0, 1) == 1 ? std::optional(take(reader)) : std::nullopt;
 }
 
 }  // namespace
 
 void writeCheckpoint(const std::filesystem::path& file, const Checkpoint& checkpoint) {
-  BinaryWriter writer;
-  add(writer, checkpoint.problem);
-  addOptional(writer, checkpoint.inPlane);
-  addOptional(writer, checkpoint.full);
-  addOptional(writer, checkpoint.solve);
-  addOptional(writer, checkpoint.inverse);
-  writeBinaryFile(file, kCheckpointFormat, writer);
+  ArrayList arrays;
+  if (checkpoint.inPlane) add(arrays, "in_plane", *checkpoint.inPlane);
+  if (checkpoint.full) add(arrays, "full", *checkpoint.full);
+  if (checkpoint.solve) add(arrays, *checkpoint.solve);
+  if (checkpoint.inverse) add(arrays, *checkpoint.inverse);
+  writeArrayFile(file, kCheckpointFormat, textsOf(checkpoint.problem), arrays.all());
 }
 
-Checkpoint readCheckpoint(const std::filesystem::path& file) {
-  return readBinaryFile(file, kCheckpointFormat, [](BinaryReader& reader) {
-    Checkpoint checkpoint;
-    checkpoint.problem = takeProblem(reader);
-    checkpoint.inPlane = takeOptional(reader, takeEquilibrium);
-    checkpoint.full = takeOptional(reader, takeEquilibrium);
-    checkpoint.solve = takeOptional(reader, takeSolve);
-    checkpoint.inverse = takeOptional(reader, takeInverse);
-    return checkpoint;
-  });
+Checkpoint readCheckpoint(const std::filesystem::path& path) {
+  const ArrayFile file(path, kCheckpointFormat);
+  const ArrayReader reader(file);
+  Checkpoint checkpoint{readProblem(file), {}, {}, {}, {}};
+  if (reader.has("in_plane_summary")) checkpoint.inPlane = readEquilibrium(reader, "in_plane");
+  if (reader.has("full_summary")) checkpoint.full = readEquilibrium(reader, "full");
+  if (reader.has("solve_summary")) checkpoint.solve = readSolve(reader);
+  if (reader.has("inverse_summary")) checkpoint.inverse = readInverse(reader);
+  return checkpoint;
 }
 
 void requireSameProblem(const std::filesystem::path& file, const Checkpoint& checkpoint,
@@ -202,7 +195,7 @@ void requireSameProblem(const std::filesystem::path& file, const Checkpoint& che
 
 void requireWritableCheckpoint(const std::filesystem::path& file) {
   std::error_code ignored;  // What cannot be looked at cannot be written either.
-  if (std::filesystem::exists(file, ignored) && !isBinaryFile(file, kCheckpointFormat)) {
+  if (std::filesystem::exists(file, ignored) && !looksLike(kCheckpointFormat, file)) {
     throw InputError(
         fmt::format("{}: is there and no checkpoint; --checkpoint does not overwrite "
                     "it: give another name",

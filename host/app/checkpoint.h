@@ -21,7 +21,7 @@ struct Checkpoint {
 /// Throws InputError when the disk refuses.
 void writeCheckpoint(const std::filesystem::path& file, const Checkpoint& checkpoint);
 
-/// Throws InputError when the file cannot be read, is none of ours, of another version or damaged.
+/// Throws InputError when the file cannot be read, is no checkpoint, of another version or damaged.
 Checkpoint readCheckpoint(const std::filesystem::path& file);
 
 /// Throws InputError that tells what differs, if anything does.

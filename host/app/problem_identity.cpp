@@ -2,35 +2,41 @@
 
 #include <fmt/format.h>
 
-#include "core/binary_file.h"
+#include "core/digest.h"
 #include "design/build_grids.h"
 
 namespace morphgrid {
 namespace {
 
-void addStrutValues(BinaryWriter& writer, const StrutValues& values) {
-  writer.numbers(values.u).numbers(values.v).numbers(values.w);
+std::span<const double> allOf(const Eigen::Matrix3Xd& points) {
+  return {points.data(), static_cast<std::size_t>(points.size())};
 }
 
-void addGrid(BinaryWriter& writer, const StrutGrid& grid) {
-  writer.integer(grid.shape.verticesU).integer(grid.shape.verticesV).integer(grid.shape.layers);
-  writer.number(grid.spacing).points(grid.positions).number(grid.angleWeight);
-  addStrutValues(writer, grid.rest);
-  addStrutValues(writer, grid.stiffness);
+void addStrutValues(Digest& digest, const StrutValues& values) {
+  digest.addList(values.u).addList(values.v).addList(values.w);
+}
+
+void addGrid(Digest& digest, const StrutGrid& grid) {
+  for (const int count : {grid.shape.verticesU, grid.shape.verticesV, grid.shape.layers}) {
+    digest.add(std::int64_t{count});
+  }
+  digest.add(grid.spacing).add(grid.angleWeight).addList(allOf(grid.positions));
+  addStrutValues(digest, grid.rest);
+  addStrutValues(digest, grid.stiffness);
 }
 
 std::string digestOfProblem(const Scene& scene, const SceneDesign& designed) {
-  BinaryWriter writer;
-  writer.text(nameOf(scene.method));
+  Digest digest;
+  digest.addList(std::string_view(nameOf(scene.method)));
   const StrutGrid flat = inPlaneGrid(designed.design, scene.weights, scene.scaling);
-  addGrid(writer, flat);
+  addGrid(digest, flat);
   if (designed.design.layers > 1) {
     // On the sheet as it is before the stage in the plane: where that ends is in the checkpoint.
-    addGrid(writer, stackedGrid(designed.design, scene.weights, scene.scaling, flat.positions));
-    writer.number(scene.design.enforceShrinkage ? scene.design.maxShrinkage : 0);
-    writer.points(designed.targets.value_or(Eigen::Matrix3Xd(3, 0)));
+    addGrid(digest, stackedGrid(designed.design, scene.weights, scene.scaling, flat.positions));
+    digest.add(scene.design.enforceShrinkage ? scene.design.maxShrinkage : 0.0);
+    digest.addList(allOf(designed.targets.value_or(Eigen::Matrix3Xd(3, 0))));
   }
-  return digestOf(writer.bytes());
+  return digest.text();
 }
 
 }  // namespace

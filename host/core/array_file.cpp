@@ -208,13 +208,13 @@ void requireChecksum(std::string_view header, std::string_view data) {
 
 }  // namespace
 
-ArrayView viewOf(std::vector<std::size_t> shape, std::span<const double> values) {
+ArrayView viewOf(ArrayShape shape, std::span<const double> values) {
   return {ElementType::float64, std::move(shape), bytesOf(values)};
 }
-ArrayView viewOf(std::vector<std::size_t> shape, std::span<const std::int32_t> values) {
+ArrayView viewOf(ArrayShape shape, std::span<const std::int32_t> values) {
   return {ElementType::int32, std::move(shape), bytesOf(values)};
 }
-ArrayView viewOf(std::vector<std::size_t> shape, std::span<const std::uint8_t> values) {
+ArrayView viewOf(ArrayShape shape, std::span<const std::uint8_t> values) {
   return {ElementType::uint8, std::move(shape), bytesOf(values)};
 }
 
@@ -303,9 +303,7 @@ const ArrayView& ArrayFile::find(const std::string& array) const {
   return found->second;
 }
 
-const std::vector<std::size_t>& ArrayFile::shapeOf(const std::string& array) const {
-  return find(array).shape;
-}
+const ArrayShape& ArrayFile::shapeOf(const std::string& array) const { return find(array).shape; }
 
 void ArrayFile::copyBytes(const std::string& array, ElementType type,
                           std::span<std::byte> bytes) const {

@@ -10,23 +10,29 @@
 
 namespace morphgrid {
 
+/// The largest number up to which a double holds every integer, in powers of ten.
+inline constexpr double kLargestExactInteger = 1e15;
+
 /// Files of named arrays and texts: the safetensors format
 /// (https://github.com/huggingface/safetensors), little-endian, whose last array is a checksum of
 /// all before it.
 
 enum class ElementType { float64, int32, uint32, uint8 };
 
+/// How many elements along each index; empty: one value.
+using ArrayShape = std::vector<std::size_t>;
+
 /// An array that lies elsewhere: row-major, the last index the fastest.
 struct ArrayView {
   ElementType type;
-  std::vector<std::size_t> shape;  ///< Empty: one value.
-  std::string_view bytes;          ///< In this machine's order.
+  ArrayShape shape;
+  std::string_view bytes;  ///< In this machine's order.
 };
 
 /// values: as many as the shape holds.
-ArrayView viewOf(std::vector<std::size_t> shape, std::span<const double> values);
-ArrayView viewOf(std::vector<std::size_t> shape, std::span<const std::int32_t> values);
-ArrayView viewOf(std::vector<std::size_t> shape, std::span<const std::uint8_t> values);
+ArrayView viewOf(ArrayShape shape, std::span<const double> values);
+ArrayView viewOf(ArrayShape shape, std::span<const std::int32_t> values);
+ArrayView viewOf(ArrayShape shape, std::span<const std::uint8_t> values);
 
 /// A kind of such files.
 struct ArrayFormat {
@@ -62,7 +68,8 @@ class ArrayFile {
   bool has(const std::string& array) const { return arrays_.contains(array); }
   /// Throws InputError when there is none of that name.
   const std::string& text(const std::string& name) const;
-  const std::vector<std::size_t>& shapeOf(const std::string& array) const;
+  const std::map<std::string, std::string>& texts() const { return texts_; }
+  const ArrayShape& shapeOf(const std::string& array) const;
 
   /// Copies an array. Throws InputError when there is none of that name, of another type or size.
   void copy(const std::string& array, std::span<double> values) const;

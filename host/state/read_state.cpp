@@ -1,80 +1,22 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <numbers>
-#include <stdexcept>
 
 #include "core/error.h"
 #include "report/read_report.h"
+#include "state/history_array.h"
 #include "state/run_state.h"
 #include "state/state_format.h"
 
 namespace morphgrid {
 namespace {
 
-constexpr double kLargestInteger = 1e15;  // Doubles hold all integers up to here.
 constexpr double kRotationTolerance = 1e-6;
 
-/// Takes a file's arrays and refuses the file where they make no sense.
-class StateReader {
- public:
-  explicit StateReader(const ArrayFile& file) : file_(file) {}
-
-  void require(bool holds) const {
-    if (!holds) file_.refuse();
-  }
-  bool has(const std::string& name) const { return file_.has(name); }
-
-  double number(const std::string& name) const {
-    double value = 0;
-    file_.copy(name, std::span(&value, 1));
-    require(std::isfinite(value));
-    return value;
-  }
-
-  /// Finite, above `low`.
-  std::vector<double> numbers(const std::string& name, const ArrayShape& shape,
-                              double low = -std::numeric_limits<double>::infinity()) const {
-    std::vector<double> values = bare(name, shape);
-    for (const double value : values) {
-      require(std::isfinite(value) && value > low);
-    }
-    return values;
-  }
-
-  /// Whatever they are.
-  std::vector<double> bare(const std::string& name, const ArrayShape& shape) const {
-    require(file_.shapeOf(name) == shape);
-    std::vector<double> values(countOf(shape));
-    file_.copy(name, values);
-    return values;
-  }
-
-  /// Columns, one for each row of the array; the shape's last number is 3.
-  Eigen::Matrix3Xd points(const std::string& name, const ArrayShape& shape) const {
-    require(file_.shapeOf(name) == shape);
-    Eigen::Matrix3Xd points(3, static_cast<Eigen::Index>(countOf(shape) / 3));
-    file_.copy(name, std::span(points.data(), static_cast<std::size_t>(points.size())));
-    require(points.allFinite());
-    return points;
-  }
-
-  const ArrayFile& file() const { return file_; }
-
- private:
-  static std::size_t countOf(const ArrayShape& shape) {
-    std::size_t count = 1;
-    for (const std::size_t extent : shape) count *= extent;
-    return count;
-  }
-
-  const ArrayFile& file_;
-};
-
 /// Of that of the printed positions.
-GridShape readShape(const StateReader& reader) {
+GridShape readShape(const ArrayReader& reader) {
   const ArrayShape& shape = reader.file().shapeOf("printed_positions");
   reader.require(shape.size() == 4 && shape[0] >= 1 && shape[1] >= 2 && shape[2] >= 2 &&
                  shape[3] == 3);
@@ -85,7 +27,7 @@ GridShape readShape(const StateReader& reader) {
 }
 
 /// One value of each strut, where there is one alone that of all of them.
-std::vector<double> strutValues(const StateReader& reader, const std::string& name,
+std::vector<double> strutValues(const ArrayReader& reader, const std::string& name,
                                 const ArrayShape& struts) {
   if (reader.file().shapeOf(name) != ArrayShape{1}) {
     return reader.numbers(name, struts, 0);
@@ -95,7 +37,7 @@ std::vector<double> strutValues(const StateReader& reader, const std::string& na
 }
 
 /// By vertex.
-std::vector<double> scattered(const StateReader& reader, const std::string& name,
+std::vector<double> scattered(const ArrayReader& reader, const std::string& name,
                               const GridShape& shape, const ArrayShape& struts) {
   const std::vector<double> gathered = strutValues(reader, name, struts);
   std::vector<double> values(static_cast<std::size_t>(shape.vertexCount()));
@@ -111,7 +53,7 @@ std::vector<double> scattered(const StateReader& reader, const std::string& name
   return values;
 }
 
-StrutValues readStruts(const StateReader& reader, const std::string& name, const GridShape& shape) {
+StrutValues readStruts(const ArrayReader& reader, const std::string& name, const GridShape& shape) {
   const StateShapes shapes(shape);
   StrutValues values;
   values.u = scattered(reader, name + "_u", shape, shapes.strutsU());
@@ -120,7 +62,7 @@ StrutValues readStruts(const StateReader& reader, const std::string& name, const
   return values;
 }
 
-StrutGrid readGrid(const StateReader& reader, const GridShape& shape) {
+StrutGrid readGrid(const ArrayReader& reader, const GridShape& shape) {
   StrutGrid grid{shape,
                  reader.number("spacing"),
                  reader.points("printed_positions", StateShapes(shape).points()),
@@ -136,7 +78,7 @@ StrutGrid readGrid(const StateReader& reader, const GridShape& shape) {
 }
 
 /// Of a layer; all above `low`. Arrays NAME_u and NAME_v.
-LateralField<double> readField(const StateReader& reader, const std::string& name,
+LateralField<double> readField(const ArrayReader& reader, const std::string& name,
                                const GridShape& shape, double low) {
   const StateShapes shapes(shape);
   const std::vector<double> u = reader.numbers(name + "_u", shapes.layerStrutsU(), low);
@@ -151,7 +93,7 @@ LateralField<double> readField(const StateReader& reader, const std::string& nam
 }
 
 /// The design's own rest lengths of all layers: those of the grid where nothing has changed them.
-std::vector<LateralField<double>> readDesignedRest(const StateReader& reader,
+std::vector<LateralField<double>> readDesignedRest(const ArrayReader& reader,
                                                    const GridShape& shape) {
   const StateShapes shapes(shape);
   const std::string name = reader.has("design_rest_u") ? "design_rest" : "rest";
@@ -168,7 +110,7 @@ std::vector<LateralField<double>> readDesignedRest(const StateReader& reader,
   return rest;
 }
 
-GridDesign readDesign(const StateReader& reader, const GridShape& shape) {
+GridDesign readDesign(const ArrayReader& reader, const GridShape& shape) {
   const double angle = -std::numbers::pi - kRotationTolerance;
   GridDesign design{shape.verticesU - 1,
                     shape.verticesV - 1,
@@ -183,7 +125,7 @@ GridDesign readDesign(const StateReader& reader, const GridShape& shape) {
   return design;
 }
 
-Eigen::Isometry3d readIsometry(const StateReader& reader, const std::string& name) {
+Eigen::Isometry3d readIsometry(const ArrayReader& reader, const std::string& name) {
   const std::vector<double> byRow = reader.numbers(name, {4, 4});
   Eigen::Isometry3d isometry;
   isometry.matrix() = Eigen::Map<const Eigen::Matrix4d>(byRow.data()).transpose();
@@ -193,19 +135,7 @@ Eigen::Isometry3d readIsometry(const StateReader& reader, const std::string& nam
   return isometry;
 }
 
-std::vector<ConvergenceSample> readHistory(const StateReader& reader, const std::string& name) {
-  const ArrayShape& shape = reader.file().shapeOf(name);
-  reader.require(shape.size() == 2 && shape[1] == kSampleNumbers);
-  const std::vector<double> values = reader.bare(name, shape);
-  std::vector<ConvergenceSample> history;
-  for (auto at = values.begin(); at != values.end(); at += kSampleNumbers) {
-    reader.require(at[0] >= 0 && at[0] <= kLargestInteger);
-    history.push_back({static_cast<long>(at[0]), at[1], at[2], at[3], at[4]});
-  }
-  return history;
-}
-
-RunRecord readRecord(const StateReader& reader, const GridShape& shape) {
+RunRecord readRecord(const ArrayReader& reader, const GridShape& shape) {
   RunRecord record;
   try {
     record = readReport(reader.file().text("report"));
@@ -224,21 +154,19 @@ RunRecord readRecord(const StateReader& reader, const GridShape& shape) {
   return record;
 }
 
-TriangleMesh readMesh(const StateReader& reader) {
-  const ArrayShape& vertices = reader.file().shapeOf("mesh_vertices");
-  const ArrayShape& triangles = reader.file().shapeOf("mesh_triangles");
-  reader.require(vertices.size() == 2 && vertices[1] == 3 && triangles.size() == 2 &&
-                 triangles[0] >= 1 && triangles[1] == 3);
+TriangleMesh readMesh(const ArrayReader& reader) {
+  const std::size_t triangles = reader.rowCount("mesh_triangles", 3);
+  reader.require(triangles >= 1);
   TriangleMesh mesh;
-  mesh.vertices = reader.points("mesh_vertices", vertices);
-  mesh.triangles.resize(3, static_cast<Eigen::Index>(triangles[0]));
-  reader.file().copy("mesh_triangles", std::span(mesh.triangles.data(), 3 * triangles[0]));
+  mesh.vertices = reader.points("mesh_vertices", {reader.rowCount("mesh_vertices", 3), 3});
+  mesh.triangles.resize(3, static_cast<Eigen::Index>(triangles));
+  reader.file().copy("mesh_triangles", std::span(mesh.triangles.data(), 3 * triangles));
   reader.require(mesh.triangles.minCoeff() >= 0 &&
                  mesh.triangles.maxCoeff() < mesh.vertices.cols());
   return mesh;
 }
 
-RayHits readHits(const StateReader& reader) {
+RayHits readHits(const ArrayReader& reader) {
   const ArrayShape& shape = reader.file().shapeOf("ray_hits");
   reader.require(shape.size() == 2 && shape[0] >= 2 && shape[1] >= 2 &&
                  shape[0] * shape[1] <= std::numeric_limits<int>::max());
@@ -259,7 +187,7 @@ RayHits readHits(const StateReader& reader) {
 
 RunState readState(const std::filesystem::path& path) {
   const ArrayFile file(path, kStateFormat);
-  const StateReader reader(file);
+  const ArrayReader reader(file);
   const GridShape shape = readShape(reader);
   RunState state{file.text("program"),
                  file.text("scene"),

@@ -7,8 +7,6 @@ namespace morphgrid {
 /// Raise the version when what was written before can no longer be read.
 inline constexpr ArrayFormat kStateFormat{"morphgrid state", 1, "state", "run the scene again"};
 
-using ArrayShape = std::vector<std::size_t>;
-
 /// The shapes of a grid's arrays: the layer, then v, then u.
 struct StateShapes {
   std::size_t layers, verticesV, verticesU;
@@ -20,15 +18,12 @@ struct StateShapes {
 
   ArrayShape layerPoints() const { return {verticesV, verticesU, 3}; }
   ArrayShape points() const { return {layers, verticesV, verticesU, 3}; }
-  /// Of a layer's struts along u and v, and of all of them.
+  /// Those of the struts of one layer, then those of all of them.
   ArrayShape layerStrutsU() const { return {verticesV, verticesU - 1}; }
   ArrayShape layerStrutsV() const { return {verticesV - 1, verticesU}; }
   ArrayShape strutsU() const { return {layers, verticesV, verticesU - 1}; }
   ArrayShape strutsV() const { return {layers, verticesV - 1, verticesU}; }
   ArrayShape strutsW() const { return {layers - 1, verticesV, verticesU}; }
 };
-
-/// The numbers of a ConvergenceSample, in order.
-inline constexpr std::size_t kSampleNumbers = 5;
 
 }  // namespace morphgrid

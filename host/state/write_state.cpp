@@ -1,40 +1,13 @@
 #include <algorithm>
-#include <deque>
 #include <span>
 
 #include "report/report_json.h"
+#include "state/history_array.h"
 #include "state/run_state.h"
 #include "state/state_format.h"
 
 namespace morphgrid {
 namespace {
-
-/// The arrays of a file, and those of them that had to be made.
-class StateArrays {
- public:
-  /// Keeps a reference to the values.
-  template <typename Value>
-  void add(const std::string& name, ArrayShape shape, std::span<const Value> values) {
-    arrays_.push_back({name, viewOf(std::move(shape), values)});
-  }
-  void addMade(const std::string& name, ArrayShape shape, std::vector<double> values) {
-    add(name, std::move(shape), std::span<const double>(made_.emplace_back(std::move(values))));
-  }
-  void add(const std::string& name, double value) { addMade(name, {}, {value}); }
-  /// Keeps a reference.
-  template <typename Value, int rows>
-  void add(const std::string& name, ArrayShape shape,
-           const Eigen::Matrix<Value, rows, Eigen::Dynamic>& columns) {
-    add(name, std::move(shape),
-        std::span<const Value>(columns.data(), static_cast<std::size_t>(columns.size())));
-  }
-
-  const std::vector<NamedArray>& all() const { return arrays_; }
-
- private:
-  std::vector<NamedArray> arrays_;
-  std::deque<std::vector<double>> made_;
-};
 
 std::size_t sizeOf(const ArrayShape& shape) {
   std::size_t size = 1;
@@ -57,7 +30,7 @@ std::vector<double> gather(const GridShape& shape, const std::vector<double>& va
 }
 
 /// A value that all struts share is stored once.
-void addStruts(StateArrays& arrays, const std::string& name, ArrayShape struts,
+void addStruts(ArrayList& arrays, const std::string& name, ArrayShape struts,
                std::vector<double> values) {
   const auto differs = [&](double value) { return value != values.front(); };
   if (!values.empty() && std::ranges::none_of(values, differs)) {
@@ -67,7 +40,7 @@ void addStruts(StateArrays& arrays, const std::string& name, ArrayShape struts,
   arrays.addMade(name, std::move(struts), std::move(values));
 }
 
-void addStruts(StateArrays& arrays, const std::string& name, const GridShape& shape,
+void addStruts(ArrayList& arrays, const std::string& name, const GridShape& shape,
                const StrutValues& values) {
   const StateShapes shapes(shape);
   addStruts(arrays, name + "_u", shapes.strutsU(), gather(shape, values.u, shapes.strutsU()));
@@ -75,7 +48,7 @@ void addStruts(StateArrays& arrays, const std::string& name, const GridShape& sh
   addStruts(arrays, name + "_w", shapes.strutsW(), gather(shape, values.w, shapes.strutsW()));
 }
 
-void addGrid(StateArrays& arrays, const StrutGrid& grid) {
+void addGrid(ArrayList& arrays, const StrutGrid& grid) {
   arrays.add("spacing", grid.spacing);
   arrays.add("angle_weight", grid.angleWeight);
   arrays.add("printed_positions", StateShapes(grid.shape).points(), grid.positions);
@@ -93,7 +66,7 @@ std::vector<double> joined(const std::vector<LateralField<double>>& layers,
   return values;
 }
 
-void addDesign(StateArrays& arrays, const GridDesign& design, const StrutGrid& grid) {
+void addDesign(ArrayList& arrays, const GridDesign& design, const StrutGrid& grid) {
   using Field = LateralField<double>;
   const StateShapes shapes(grid.shape);
   const auto add = [&](const char* name, const ArrayShape& shape,
@@ -114,17 +87,7 @@ void addDesign(StateArrays& arrays, const GridDesign& design, const StrutGrid& g
   }
 }
 
-void addHistory(StateArrays& arrays, const std::string& name,
-                const std::vector<ConvergenceSample>& history) {
-  std::vector<double> values;
-  for (const ConvergenceSample& sample : history) {
-    values.insert(values.end(), {static_cast<double>(sample.iteration), sample.energy,
-                                 sample.residual, sample.seconds, sample.gridShare});
-  }
-  arrays.addMade(name, {history.size(), kSampleNumbers}, std::move(values));
-}
-
-void addResult(StateArrays& arrays, const RunState& state) {
+void addResult(ArrayList& arrays, const RunState& state) {
   const StateShapes shapes(state.grid.shape);
   const RunRecord& record = state.record;
   arrays.add("in_plane_positions", shapes.layerPoints(), record.inPlane->positions);
@@ -142,7 +105,7 @@ std::span<const std::uint8_t> flagsOf(const std::vector<char>& hit) {
   return {reinterpret_cast<const std::uint8_t*>(hit.data()), hit.size()};
 }
 
-void addSampling(StateArrays& arrays, const MeshSampling& sampling) {
+void addSampling(ArrayList& arrays, const MeshSampling& sampling) {
   const auto& [mesh, hits] = sampling;
   const auto countU = static_cast<std::size_t>(hits.countU);
   const auto countV = static_cast<std::size_t>(hits.countV);
@@ -158,7 +121,7 @@ void addSampling(StateArrays& arrays, const MeshSampling& sampling) {
 }  // namespace
 
 void writeState(const std::filesystem::path& file, const RunState& state) {
-  StateArrays arrays;
+  ArrayList arrays;
   addGrid(arrays, state.grid);
   addDesign(arrays, state.design, state.grid);
   addResult(arrays, state);

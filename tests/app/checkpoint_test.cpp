@@ -2,7 +2,10 @@
 
 #include <gmock/gmock.h>
 
+#include <cmath>
+
 #include "app/design_scene.h"
+#include "core/array_file.h"
 #include "core/error.h"
 #include "core/read_file.h"
 #include "tests/app/scene_files.h"
@@ -171,12 +174,35 @@ TEST_F(CheckpointFile, WrongBytesAreRefused) {
   EXPECT_THAT(problemOf(bytes + "x"), HasSubstr("damaged"));
 }
 
+// The checksum holds, but no run can have written it.
+TEST_F(CheckpointFile, ContentsThatMakeNoSenseAreRefused) {
+  const auto problemWith = [&](const auto& change) {
+    Checkpoint checkpoint = sampleInInverseDesign();
+    checkpoint.solve = sampleCheckpoint().solve;
+    change(checkpoint);
+    writeCheckpoint(file(), checkpoint);
+    return problem(file());
+  };
+  const auto damaged = HasSubstr("the checkpoint is damaged or cut short");
+  EXPECT_EQ(problemWith([](Checkpoint&) {}), "");
+  EXPECT_THAT(problemWith([](Checkpoint& c) { c.solve->phase = -1; }), damaged);
+  EXPECT_THAT(problemWith([](Checkpoint& c) { c.solve->positions(1, 2) = std::nan(""); }), damaged);
+  EXPECT_THAT(problemWith([](Checkpoint& c) { c.full->reason = static_cast<StopReason>(6); }),
+              damaged);
+  EXPECT_THAT(problemWith([](Checkpoint& c) { c.inPlane->history[1].iteration = -1; }), damaged);
+  EXPECT_THAT(problemWith([](Checkpoint& c) { c.inverse->steps[1].number = -1; }), damaged);
+  EXPECT_THAT(problemWith([](Checkpoint& c) { c.inverse->pairs[0].step[3] = std::nan(""); }),
+              damaged);
+}
+
 TEST_F(CheckpointFile, OtherFilesAndVersionsAreRefused) {
   EXPECT_THAT(problem(folder_ / "none"), HasSubstr("none: cannot be read: No such file"));
   EXPECT_THAT(problemOf("[surface]\n"), HasSubstr("is no checkpoint of morphgrid"));
   EXPECT_THAT(problemOf(""), HasSubstr("is no checkpoint of morphgrid"));
-  EXPECT_THAT(problemOf("morphgrid checkpoint 1\n{}\n"),
-              HasSubstr("has format 1, this morphgrid reads format 2"));
+  writeArrayFile(file(), {"morphgrid checkpoint", 1, "", ""}, {}, {});
+  EXPECT_THAT(problem(file()), HasSubstr("has version 1, this morphgrid reads version 3"));
+  writeArrayFile(file(), {"morphgrid state", 3, "", ""}, {}, {});
+  EXPECT_THAT(problem(file()), HasSubstr("is no checkpoint of morphgrid"));
 }
 
 TEST_F(CheckpointFile, IsOnlyWrittenWhereItMayBe) {
