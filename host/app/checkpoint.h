@@ -14,8 +14,8 @@ struct Checkpoint {
   ProblemIdentity problem;
   std::optional<Equilibrium> inPlane;        ///< Once the stage in the plane is over.
   std::optional<Equilibrium> full;           ///< Once inverse design has begun.
-  std::optional<SolveCheckpoint> solve;      ///< Of the stage that is not over.
-  std::optional<InverseCheckpoint> inverse;  ///< Of inverse design.
+  std::optional<SolveCheckpoint> solve;      ///< Where the stage stands that is not over.
+  std::optional<InverseCheckpoint> inverse;  ///< Where inverse design stands.
 };
 
 /// Throws InputError when the disk refuses.
@@ -24,7 +24,7 @@ void writeCheckpoint(const std::filesystem::path& file, const Checkpoint& checkp
 /// Throws InputError when the file cannot be read, is no checkpoint, of another version or damaged.
 Checkpoint readCheckpoint(const std::filesystem::path& file);
 
-/// Throws InputError that tells what differs, if anything does.
+/// Throws InputError when the problems differ; it lists what differs.
 void requireSameProblem(const std::filesystem::path& file, const Checkpoint& checkpoint,
                         const ProblemIdentity& problem);
 

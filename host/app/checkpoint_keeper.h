@@ -22,9 +22,9 @@ class CheckpointKeeper {
   const std::optional<Equilibrium>& inPlane() const { return inPlane_; }
   /// The full stage, once inverse design has begun.
   const std::optional<Equilibrium>& full() const { return full_; }
-  /// Of the stage that runs; nothing when it has only begun.
+  /// Where the stage that runs stands; nothing when it has only begun.
   const std::optional<SolveCheckpoint>& latest() const { return latest_; }
-  /// Of inverse design; nothing when it has only begun.
+  /// Where inverse design stands; nothing when it has only begun.
   const std::optional<InverseCheckpoint>& inverse() const { return inverse_; }
 
   /// Write the file when it is due.

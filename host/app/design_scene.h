@@ -7,12 +7,13 @@ namespace morphgrid {
 struct SceneDesign {
   std::shared_ptr<const Target> target;  ///< None for grids given by bend angles.
   GridDesign design;
-  std::optional<MeasurementFigures> measurement;  ///< Of a target.
-  std::optional<NetFigures> net;                  ///< As above.
-  std::optional<Eigen::Matrix3Xd> targets;  ///< Of the middle layer's vertices, in index order.
-  std::optional<MeshFigures> mesh;          ///< Only of meshes.
-  std::vector<std::string> notices;         ///< What was clamped or overridden.
-  View ownView = kPatchView;                ///< Where there is no target to say it.
+  std::optional<MeasurementFigures> measurement;  ///< None without a target.
+  std::optional<NetFigures> net;                  ///< None without a target.
+  /// 3 x layerVertexCount: where the middle layer's vertices should lie.
+  std::optional<Eigen::Matrix3Xd> targets;
+  std::optional<MeshFigures> mesh;   ///< Only of meshes.
+  std::vector<std::string> notices;  ///< What was clamped or overridden.
+  View ownView = kPatchView;         ///< Where there is no target to say it.
 
   /// From where the morphed grid is seen best.
   View view() const { return target ? target->view() : ownView; }

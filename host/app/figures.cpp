@@ -45,7 +45,7 @@ void requireMorph(const Scene& scene, const SceneDesign& designed, const FilmOpt
   }
 }
 
-/// What cannot be written is told before the solve.
+/// Refuses what cannot be written before the solve.
 void requireWritable(const std::filesystem::path& file) {
   if (file.has_parent_path()) {
     createFolder(file.parent_path(), file.parent_path().string());
@@ -108,7 +108,7 @@ FiguresRecord makeSheet(const Scene& scene, const SceneDesign& designed,
                         const FiguresOptions& options, const Simulate& simulate) {
   requireMorph(scene, designed, options.film);
   const SheetOptions sheet = sheetFor(scene);
-  sheetSize(sheet, std::size(kPanelNames));  // A sheet too large is told before the solve,
+  sheetSize(sheet, std::size(kPanelNames));  // Refuses a sheet too large before the solve,
   Font::findMono();                          // and so is a missing font.
   DrawnPanels drawn;
   RunContext context =

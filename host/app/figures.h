@@ -11,7 +11,7 @@ struct FiguresOptions {
   bool quiet = false;  ///< No progress.
 };
 
-/// What the command has to tell.
+/// What the command reports.
 struct FiguresRecord {
   RunRecord run;
   bool morphConverged;

@@ -11,8 +11,8 @@ namespace morphgrid {
 
 struct LiveRunOptions {
   std::filesystem::path scene;
-  std::vector<std::string> overrides;  ///< As of loadScene().
-  std::filesystem::path outputFolder;  ///< Of exported files.
+  std::vector<std::string> overrides;  ///< See loadScene().
+  std::filesystem::path outputFolder;  ///< Where exported files go.
   std::function<void()> wake;          ///< Called from the worker when there is something new.
   TargetKeeper targets;                ///< May hold the scene's target already.
 };
@@ -42,13 +42,13 @@ class LiveRun final : public Session {
   using Overrides = SceneEdits::Overrides;
   enum class Start { flat, near };
 
-  // By any thread.
+  // Called by any thread.
   void demand(Start start);
   void tell(const std::string& message);
   bool isCancelled() const;
   bool isEnding() const;
 
-  // By the worker.
+  // Called by the worker alone.
   void work();
   bool awaitDemand();
   void workOnce();

@@ -23,7 +23,7 @@ constexpr double kFirstShown = 0.5;
 constexpr double kMorphing = 3;
 constexpr double kLastShown = 1.5;
 
-constexpr int kMostKeys = 13;         // Of the glTF file, which grows with each.
+constexpr int kMostKeys = 13;         // Shapes in the glTF file, which grows with each.
 constexpr int kMorphRefinement = 2;   // Cells of its surface per grid cell, along u and v.
 constexpr double kSameEnergy = 1e-3;  // Equilibria of a smaller relative difference are the same.
 
@@ -87,7 +87,7 @@ std::filesystem::path framePath(const std::filesystem::path& folder, int frame) 
   return folder / fmt::format("frame_{:04}.png", frame);
 }
 
-/// Of a longer film before this one.
+/// Removes frames from this number on: a longer film before this one may have left them.
 void removeFramesFrom(const std::filesystem::path& folder, int frame) {
   std::error_code ignored;
   while (std::filesystem::remove(framePath(folder, frame), ignored)) {

@@ -18,7 +18,7 @@ struct FilmOptions {
   bool wanted() const { return !framesFolder.empty() || !animation.empty() || !gltf.empty(); }
 };
 
-/// What there is to tell of the course.
+/// How the course went.
 struct FilmRecord {
   bool converged = true;             ///< All steps.
   std::vector<std::string> notices;  ///< That it did not, or ends elsewhere than the simulation.

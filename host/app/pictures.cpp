@@ -33,7 +33,7 @@ Pictures::Pictures(const Device& device, const PictureOptions& picture, ShowPane
       show_(std::move(show)),
       resultView_(std::move(resultView)),
       renderer_(device, size_.width, size_.height) {
-  Font::findSans();  // A missing font is told before the solve, not after it.
+  Font::findSans();  // A missing font is reported before the solve, not after it.
 }
 
 Camera Pictures::frame(const Eigen::Matrix3Xd& points, const View& view) const {

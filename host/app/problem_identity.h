@@ -9,8 +9,8 @@ namespace morphgrid {
 /// What a checkpoint and the run that goes on from it must have in common. Tolerances, limits and
 /// outputs are not among it: they may change on the way.
 struct ProblemIdentity {
-  /// Of all numbers that the run solves with: its grids (shape, spacing, printed positions, rest
-  /// lengths, stiffnesses, angle weight), method, targets and bounds of inverse design.
+  /// Digest of all numbers that the run solves with: its grids (shape, spacing, printed positions,
+  /// rest lengths, stiffnesses, angle weight), method, targets and bounds of inverse design.
   std::string digest;
   /// Some of what leads to them, by names for people: to tell what differs.
   std::map<std::string, std::string> settings;

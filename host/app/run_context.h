@@ -18,7 +18,7 @@ struct RunContext {
   std::shared_ptr<Device> device;
   std::unique_ptr<Pictures> pictures;
   std::optional<std::string> failure;  ///< What the device said when it failed.
-  /// Told of each stage before it is solved; may be empty.
+  /// Called with each stage before it is solved; may be empty.
   std::function<void(const Stage&)> onStage;
   /// Multigrid starts a stage of as many vertices from here: where a like scene's came to rest. 3 x
   /// vertexCount, in the plane and in space.

@@ -17,7 +17,8 @@ std::optional<ShownGrid>& slotOf(ShownStage stage, Snapshot& snapshot) {
   return snapshot.stages[static_cast<std::size_t>(stage)];
 }
 
-/// Of a layer's points, those that are nearest to the vertices of another layer on the same sheet.
+/// For each vertex of the layer `to` the nearest of the points of the layer `from`, by their places
+/// on the same sheet.
 Matrix3Xd resampled(const Matrix3Xd& points, const GridShape& from, const GridShape& to) {
   Matrix3Xd result(3, to.layerVertexCount());
   const auto nearest = [](int n, int count, int fromCount) {

@@ -19,7 +19,7 @@ class RunDisplay {
   void showStage(const Stage& stage);
   /// A coarser grid that is solved first; null: the stage's own.
   void showGrid(const std::shared_ptr<const DeviceGrid>& coarse);
-  /// Of a method that keeps them on the host.
+  /// For methods that keep the positions on the host: 3 x vertexCount.
   void showPositions(const Eigen::Matrix3Xd& positions) { onDevice_->uploadPositions(positions); }
   void showSample(const ConvergenceSample& sample);
   void showPaused();
@@ -33,10 +33,10 @@ class RunDisplay {
 
   const Device& device_;
   SnapshotBoard& board_;
-  int stages_ = 0;                        ///< Of this run.
+  int stages_ = 0;                        ///< Stages of this run so far.
   ShownGrid live_;                        ///< What is solved.
   std::shared_ptr<DeviceGrid> onDevice_;  ///< The same.
-  /// Of its middle layer: where it should lie.
+  /// Where the middle layer should lie, 3 x layerVertexCount of referenceShape_.
   std::shared_ptr<const Eigen::Matrix3Xd> reference_;
   GridShape referenceShape_{};
 };

@@ -24,7 +24,7 @@ SceneEdits::Overrides withOverride(SceneEdits::Overrides overrides, const std::s
 std::filesystem::path freeFileBeside(const std::filesystem::path& scene) {
   const std::string stem = scene.stem().string() + "_edited";
   std::filesystem::path file = scene.parent_path() / (stem + ".toml");
-  std::error_code ignored;  // What is wrong with the folder, writing tells.
+  std::error_code ignored;  // Writing reports what is wrong with the folder.
   for (int n = 2; std::filesystem::exists(file, ignored); ++n) {
     file.replace_filename(fmt::format("{}_{}.toml", stem, n));
   }

@@ -10,7 +10,7 @@ namespace morphgrid {
 using SceneKey = TomlKey<Scene>;
 using SceneKeySection = TomlKeySection<Scene>;
 
-/// Of what there is at least one.
+/// The range of counts of things of which there must be one.
 inline constexpr IntegerRange kCounts{1, std::numeric_limits<int>::max()};
 
 /// All keys of scene files, section by section: readers, knobs and docs/scene_format.md come from

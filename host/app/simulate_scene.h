@@ -6,7 +6,7 @@
 
 namespace morphgrid {
 
-/// Where a designed scene comes to rest, and what there is to tell about it.
+/// Where a designed scene comes to rest, and the report about it.
 struct Simulation {
   RunRecord record;                  ///< Without the total time and what the device failed at.
   Stage stage;                       ///< The last one.

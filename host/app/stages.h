@@ -9,10 +9,11 @@ namespace morphgrid {
 /// A grid on its way to equilibrium, with its copy on the device.
 struct Stage {
   StrutGrid grid;
-  std::shared_ptr<DeviceGrid> onDevice;     ///< None in runs on the CPU, or when it did not fit.
-  std::shared_ptr<MultigridSolver> solver;  ///< Of Method::multigrid, while the stage is solved.
+  std::shared_ptr<DeviceGrid> onDevice;  ///< None in runs on the CPU, or when it did not fit.
+  /// Only of Method::multigrid, and while the stage is solved.
+  std::shared_ptr<MultigridSolver> solver;
   Equilibrium equilibrium;
-  double printScale = 1;  ///< Of the flat sheet, see choosePrintScale().
+  double printScale = 1;  ///< How much the flat sheet was enlarged, see choosePrintScale().
 };
 
 /// The two stages of a run. A device that fails ends a solve where it stood.

@@ -25,7 +25,8 @@ class StepGate {
   /// isCancelled() may have changed.
   void wake() { changed_.notify_all(); }
 
-  /// By the solver, after a step. whilePaused: called now and then as long as it is held.
+  /// The solver calls this after each step, and is held here while paused; whilePaused is then
+  /// called now and then.
   void pass(const std::function<bool()>& isCancelled, const std::function<void()>& whilePaused);
 
  private:

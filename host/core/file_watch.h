@@ -8,9 +8,9 @@ namespace morphgrid {
 /// Tells whether files have changed on disk.
 class FileWatch {
  public:
-  /// Of nothing.
+  /// Watches nothing.
   FileWatch() = default;
-  /// As the files are now; one that is not there may come to be.
+  /// Watches for changes of these files from now on; one that is not there may come to be.
   explicit FileWatch(const std::vector<std::filesystem::path>& files);
 
   bool hasChanged() const;

@@ -24,7 +24,7 @@ KeyPlace<Record, Value> at(Part Record::*part, Value Part::*value) {
           [=](Record& record) { return &(record.*part.*value); }};
 }
 
-/// Of an optional part, which is there once one of its values is.
+/// A value of an optional part, which is there once one of its values is.
 template <typename Record, typename Part, typename Value>
 KeyPlace<Record, Value> at(std::optional<Part> Record::*part, Value Part::*value) {
   return {[=](const Record& record) -> const Value* {
@@ -36,7 +36,7 @@ KeyPlace<Record, Value> at(std::optional<Part> Record::*part, Value Part::*value
           }};
 }
 
-/// Of one alternative of a variant.
+/// A value of one alternative of a variant.
 template <typename Part, typename Record, typename Variant, typename Value>
 KeyPlace<Record, Value> within(Variant Record::*parts, Value Part::*value) {
   return {[=](const Record& record) -> const Value* {
@@ -49,7 +49,7 @@ KeyPlace<Record, Value> within(Variant Record::*parts, Value Part::*value) {
           }};
 }
 
-/// Of an optional part of one alternative, which is there once one of its values is.
+/// A value of an optional part of one alternative; the part is there once one of its values is.
 template <typename Part, typename Record, typename Variant, typename Inner, typename Value>
 KeyPlace<Record, Value> within(Variant Record::*parts, std::optional<Inner> Part::*inner,
                                Value Inner::*value) {

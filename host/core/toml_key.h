@@ -80,7 +80,7 @@ struct CustomKey {
 /// How people are offered to turn a value.
 struct KnobOffer {
   std::string label;
-  double low = 0;  ///< Of numbers.
+  double low = 0;  ///< The knob's range, for numbers.
   double high = 0;
   bool isLogarithmic = false;
   bool isRelative = false;  ///< low and high are times the value that the record has.
@@ -93,8 +93,8 @@ struct TomlKey {
                WordKey<Record>, TextKey<Record>, FileKey<Record>, CustomKey<Record>>
       value;
   std::string unit;                ///< May be empty.
-  std::vector<std::size_t> kinds;  ///< That have the key; empty: all.
-  bool isRequired = false;         ///< By these kinds.
+  std::vector<std::size_t> kinds;  ///< The kinds of records that have the key; empty: all.
+  bool isRequired = false;         ///< Whether these kinds must have it.
   /// Called where the file leaves the key out; keys before it have been read. May be empty.
   std::function<void(Record&)> otherwise;
   std::string defaultInWords;  ///< Where it is not what a record begins with.

@@ -58,7 +58,7 @@ class TomlReader {
   };
 
   Place place(const toml::source_region& source) const;
-  /// Of the file that the node stands in; of the document's file for overrides.
+  /// The folder of the file that the node stands in; for overrides, of the document's file.
   std::filesystem::path folderOf(const toml::node& node) const;
   KnownKey& know(const std::string& section, std::string_view name);
   KnownKey* findKnown(const std::string& section, std::string_view name);

@@ -16,12 +16,13 @@ struct GridDesign {
   double spacing;                ///< Cell of the flat sheet before the in-plane stage.
   LateralField<double> lengths;  ///< L0, of the layer where the strut is longest: the convex side.
   LateralField<double> bendAngles;  ///< Signed theta, rad, in [-pi, pi]; > 0 curves towards +w.
-  std::vector<LateralField<double>> rest;  ///< Of each layer, bottom first, > 0; L0 at most.
+  /// Rest lengths of each layer, bottom first, > 0; L0 at most.
+  std::vector<LateralField<double>> rest;
   std::vector<std::string> notices;
 };
 
 /// The paper's: each strut's convex side has the chord of the target for its length.
-/// theta = 2 asin(L0 kappa / 2) (Eq. 24); the sine is clamped to 1, and the user told.
+/// theta = 2 asin(L0 kappa / 2) (Eq. 24); the sine is clamped to 1, with a notice.
 GridDesign designGrid(const SurfaceMeasurement& measurement, const GridSize& size, int layers);
 
 /// With the target in the middle of the layers: in layer k, at height h = (k - (layers - 1) / 2)
@@ -38,7 +39,7 @@ GridDesign designOnOffsets(const SurfaceMeasurement& measurement, const Eigen::M
 struct BendAngleRequest {
   int nodesU = 1;
   int nodesV = 1;
-  double spacing = 1;                      ///< Of the flat sheet, > 0
+  double spacing = 1;                      ///< Side of a cell of the flat sheet, > 0
   double firstThetaU = 0, lastThetaU = 0;  ///< rad
   double firstThetaV = 0, lastThetaV = 0;  ///< rad
 

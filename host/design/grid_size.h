@@ -27,8 +27,8 @@ struct DesignRequest {
   NetKind net = NetKind::isoline;
   Reference reference = Reference::convex;
   std::optional<double> maxStrutRatio;   ///< Longest over shortest strut, > 1
-  int compensateRounds = 0;              ///< Of spring-back correction, >= 0
-  int optimiseSteps = 0;                 ///< Along the adjoint gradient, >= 0
+  int compensateRounds = 0;              ///< Rounds of spring-back correction, >= 0
+  int optimiseSteps = 0;                 ///< Steps along the adjoint gradient, >= 0
   bool enforceShrinkage = false;         ///< Whether both honour maxShrinkage.
   std::optional<double> strutThickness;  ///< As printed, in the scene's unit of length, > 0
 };

@@ -9,12 +9,12 @@
 
 namespace morphgrid {
 
-/// A corner with arms a, b from its apex: `w (|a - p|^2 + |b - q|^2)` to the nearest arms p, q at a
-/// right angle. With T = |a|^2 + |b|^2, s = a . b, D = sqrt(T^2 - 4 s^2) that is
-/// `2 w s^2 / (T + D) = w (T - D) / 2`.
+/// A corner with arms a, b from its apex, in closed form (docs/method.md, Energy): `w (|a - p|^2 +
+/// |b - q|^2)` to the nearest arms p, q at a right angle. With T = |a|^2 + |b|^2, s = a . b, D =
+/// sqrt(T^2 - 4 s^2) that is `2 w s^2 / (T + D) = w (T - D) / 2`.
 struct CornerTerm {
   static constexpr int kEdges = 2;
-  using Vectors = EdgeVectors<kEdges>;  ///< Of a and b.
+  using Vectors = EdgeVectors<kEdges>;  ///< One column for the arm a, one for b.
 
   double weight;       ///< w
   double leastSquare;  ///< kLeastSquare in the unit of length
@@ -34,6 +34,7 @@ struct CornerTerm {
             mixed(weight * at.own(), arms, weight * at.other(), arms)};
   }
 
+  /// How the gradient changes when the arms change by z, exactly.
   Vectors hessianProduct(const Vectors& arms, const Vectors& z) const {
     const Invariants at = invariantsOf(arms);
     const double changeOfT = 2 * arms.cwiseProduct(z).sum();
@@ -54,9 +55,9 @@ struct CornerTerm {
     return 2 * weight / (d * d * h) * j * j.transpose();
   }
 
-  /// By the rest angle, at the right one. For another angle theta that a and b, at an angle gamma,
-  /// shall have, D^2 = |a|^4 + |b|^4 + 2 |a|^2 |b|^2 cos 2 (gamma - theta), so that the energy's
-  /// derivative by theta is `2 w s A / D`, A = |a x b|.
+  /// The gradient's derivative by the rest angle, at 90 degrees. For another angle theta that a and
+  /// b, at an angle gamma, shall have, D^2 = |a|^4 + |b|^4 + 2 |a|^2 |b|^2 cos 2 (gamma - theta),
+  /// so that the energy's derivative by theta is `2 w s A / D`, A = |a x b|.
   Vectors gradientByRest(const Vectors& arms) const {
     const Invariants at = invariantsOf(arms);
     const double squareA = arms.col(0).squaredNorm();
@@ -72,6 +73,7 @@ struct CornerTerm {
     return 2 * weight * result;
   }
 
+  /// w, for each arm.
   double projectionWeight() const { return weight; }
 
  private:

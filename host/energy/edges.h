@@ -26,7 +26,7 @@ using EdgeVectors = Eigen::Matrix<double, 3, count>;
 template <int count>
 struct TermValue {
   double energy;
-  EdgeVectors<count> gradient;  ///< By each edge.
+  EdgeVectors<count> gradient;  ///< Derivative by each edge, a column each.
 };
 
 /// kLeastSquare in the grid's unit of length, squared.
@@ -34,7 +34,8 @@ inline double leastSquareOf(const StrutGrid& grid) {
   return double{kLeastSquare} * grid.spacing * grid.spacing;
 }
 
-/// From the ends' vectors, 3 x vertexCount: of positions the edges, of motions their change.
+/// For each edge the vector at its end less that at its start. vectors: 3 x vertexCount; positions
+/// give the edges, motions how the edges change.
 template <std::size_t count>
 EdgeVectors<count> differencesAlong(const std::array<Edge, count>& stencil,
                                     const Eigen::Matrix3Xd& vectors) {
@@ -45,7 +46,8 @@ EdgeVectors<count> differencesAlong(const std::array<Edge, count>& stencil,
   return differences;
 }
 
-/// The transposed: adds a gradient by edges to that by vertices.
+/// The transposed of differencesAlong(): adds a gradient by edges to byVertices, one by vertices,
+/// 3 x vertexCount.
 template <std::size_t count>
 void addToEnds(const std::array<Edge, count>& stencil,
                const Eigen::Matrix<double, 3, static_cast<int>(count)>& gradient,

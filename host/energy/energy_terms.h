@@ -13,8 +13,8 @@ namespace morphgrid {
 ///     evaluate(e)                       energy and gradient
 ///     hessianProduct(e, z)              how the gradient changes, exactly
 ///     gaussNewton(e)                    3 kEdges square, positive semi-definite
-///     gradientByRest(e)                 how the gradient changes with the rest value, per unit of
-///     it projectionWeight()                w of projective dynamics' w |e - p|^2, of every edge
+///     gradientByRest(e)                 the gradient's derivative by the rest value
+///     projectionWeight()                w of projective dynamics' w |e - p|^2, of every edge
 ///
 /// visit(term, stencil) for all terms of all types.
 template <typename Visit>

@@ -10,15 +10,15 @@ namespace morphgrid {
 class StrutEnergy {
  public:
   struct Value {
-    double energy;
+    double energy;              ///< In stiffness x the square of the scene's unit of length.
     Eigen::Matrix3Xd gradient;  ///< 3 x vertexCount
   };
 
-  /// Keeps a reference to the grid.
+  /// Keeps a reference to the grid, which must be valid, see validate().
   explicit StrutEnergy(const StrutGrid& grid);
   explicit StrutEnergy(StrutGrid&&) = delete;
 
-  /// positions: 3 x vertexCount.
+  /// positions: 3 x vertexCount, in the scene's unit of length.
   Value evaluate(const Eigen::Matrix3Xd& positions) const;
 
   /// Diagonal of the projective-dynamics matrix per vertex: the sum of the weights with which its

@@ -9,7 +9,8 @@
 
 namespace morphgrid {
 
-/// A strut with edge e and rest length L: `w c (|e| - L)^2`; l = |e|, n = e / l.
+/// A strut with edge e and rest length L: `w c (|e| - L)^2` (docs/method.md, Energy); l = |e|,
+/// n = e / l. Lengths are in the grid's unit, w c is energy over length squared.
 struct StrutTerm {
   static constexpr int kEdges = 1;
   using Vectors = EdgeVectors<kEdges>;
@@ -28,6 +29,7 @@ struct StrutTerm {
     forEachStrut(grid.shape, [&](const Strut& strut) { visit(of(grid, strut), stencilOf(strut)); });
   }
 
+  /// The gradient is `2 w c (l - L) n`.
   TermValue<kEdges> evaluate(const Vectors& e) const {
     const double l = length(e);
     const double excess = l - restLength;
@@ -49,9 +51,10 @@ struct StrutTerm {
     return 2 * stiffness * (along + stretch * (Eigen::Matrix3d::Identity() - along));
   }
 
-  /// By L: `-2 w c n`.
+  /// The gradient's derivative by the rest length L: `-2 w c n`, n the unit vector along e.
   Vectors gradientByRest(const Vectors& e) const { return -2 * stiffness / length(e) * e; }
 
+  /// w c
   double projectionWeight() const { return stiffness; }
 
  private:

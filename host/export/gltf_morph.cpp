@@ -40,7 +40,8 @@ void addMorphingSurface(tinygltf::Model& model, const std::vector<MorphKey>& key
   addSurfaceNode(model, std::move(triangles));
 }
 
-/// Of every moment the weights of all targets: 1 for the key's own, of which the first has none.
+/// The weights of all targets, moment after moment: 1 for the target of the moment's key, of which
+/// the first has none.
 Eigen::VectorXf targetWeights(const std::vector<MorphMoment>& timeline, std::size_t targetCount) {
   const auto count = static_cast<Eigen::Index>(targetCount);
   Eigen::MatrixXf weights =

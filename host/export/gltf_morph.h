@@ -10,7 +10,7 @@ namespace morphgrid {
 /// A shape that a morphing grid passes through.
 struct MorphKey {
   Eigen::Matrix3Xd positions;  ///< grid.shape.vertexCount() columns.
-  SurfaceMesh surface;         ///< Of every key with the same triangles.
+  SurfaceMesh surface;         ///< All keys have the same triangles.
 };
 
 /// When the grid has the shape of which key; linear in between.

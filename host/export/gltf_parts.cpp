@@ -15,7 +15,7 @@ namespace morphgrid {
 namespace {
 
 const char* const kUnlit = "KHR_materials_unlit";
-constexpr int kNoTarget = 0;  // Of a buffer view that no vertex comes from.
+constexpr int kNoTarget = 0;  // The target of a buffer view that holds no vertices.
 
 /// Appends values to the file's one buffer; returns the new accessor's index.
 template <typename Matrix>

@@ -50,7 +50,7 @@ class Buffer {
   std::shared_ptr<const void> owned_;  ///< The buffer and its memory.
 };
 
-/// Of four components.
+/// The format of texels, of four components each.
 enum class TexelFormat { float4, int4 };
 constexpr std::uint32_t kTexelBytes = 16;
 

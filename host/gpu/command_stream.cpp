@@ -66,7 +66,7 @@ class CommandStream::Recorder {
   const Device& device_;
   vk::raii::CommandPool pool_;
   std::vector<Part> parts_;
-  std::size_t last_ = 0;  ///< Of the parts in use.
+  std::size_t last_ = 0;  ///< Index of the last part in use.
   vk::raii::Fence fence_;
   std::optional<CallTimer> timer_;
 };

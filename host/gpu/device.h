@@ -53,7 +53,8 @@ struct DeviceLimits {
   std::uint32_t maxStorageBufferRange;    ///< Bytes that shaders reach of a buffer.
   std::uint32_t maxTexelBufferElements;   ///< Texels that shaders reach of a buffer.
   std::uint64_t maxMemoryAllocationSize;  ///< Bytes of a buffer.
-  std::array<std::uint32_t, 3> maxComputeWorkGroupCount;  ///< Of a dispatch.
+  /// Workgroups of a dispatch along x, y, z.
+  std::array<std::uint32_t, 3> maxComputeWorkGroupCount;
 };
 
 /// A Vulkan device with one queue for compute, graphics, transfer and, where asked for, windows.
@@ -72,7 +73,7 @@ class Device {
   /// Invocations that run in lockstep.
   std::uint32_t subgroupSize() const { return subgroupSize_; }
 
-  /// Of its buffers, host-visible ones too, as the driver rounds their sizes.
+  /// What its buffers take, host-visible ones too, as the driver rounds their sizes.
   MemoryUse& memoryUse() const { return *memoryUse_; }
 
   /// Null unless windows are drawn into: then submissions must be short.

@@ -10,16 +10,16 @@ namespace morphgrid {
 
 class CommandBuffer;  // gpu/vulkan_commands.h
 
-/// Of images that are drawn into: 8 bits a component, as the shaders write them.
+/// The format of images that are drawn into: 8 bits a component, as the shaders write them.
 enum class ColorFormat { rgba8, bgra8 };
 
 /// What is done with an image when it has been drawn into.
 enum class NextUse { copied, drawnOver };
 
 struct DrawPassOptions {
-  ColorFormat format;         ///< Of the images that are drawn into.
-  std::uint32_t samples = 1;  ///< Of a pixel, where the device has as many: 1 or 4.
-  NextUse nextUse;            ///< Of these images.
+  ColorFormat format;         ///< The format of the images that are drawn into.
+  std::uint32_t samples = 1;  ///< Samples a pixel, 1 or 4, where the device has as many.
+  NextUse nextUse;            ///< What the images are used for next.
 };
 
 /// How pictures are drawn: on white, with a depth test. Shaders see all that was written before,
@@ -33,7 +33,7 @@ class DrawPass {
   DrawPass(DrawPass&&) = default;
   DrawPass& operator=(DrawPass&&) = default;
 
-  /// Of a pixel.
+  /// How many a pixel has.
   std::uint32_t samples() const;
   const Handles& handles() const { return *handles_; }
 

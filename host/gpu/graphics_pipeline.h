@@ -13,7 +13,7 @@ struct ShaderPair {
 
 enum class Blending {
   opaque,
-  translucent,  ///< By alpha, over what is there; hides nothing that is drawn later.
+  translucent,  ///< Blended by alpha over what is there; hides nothing that is drawn later.
 };
 
 enum class Primitive {

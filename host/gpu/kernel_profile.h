@@ -12,7 +12,7 @@ class KernelProfile {
     double seconds = 0;
   };
 
-  /// By kernel, and "copy".
+  /// Keys are the kernels' names and "copy".
   const std::map<std::string, Share>& kernels() const { return kernels_; }
   /// How long the host waited for them; more than all kernels, for a submission costs time itself.
   const Share& submissions() const { return submissions_; }

@@ -3,7 +3,7 @@
 
 namespace morphgrid {
 
-/// Of an image, in pixels.
+/// The size of an image, in pixels.
 struct PixelSize {
   std::uint32_t width = 0;
   std::uint32_t height = 0;

@@ -21,7 +21,7 @@ class Presenter {
 
   ColorFormat format() const;
   PixelSize size() const { return size_; }
-  /// Of the swapchain's images; new ones whenever generation() has changed.
+  /// Views of the swapchain's images; new ones whenever generation() has changed.
   std::vector<VkImageView> views() const;
   /// Counts the swapchains.
   int generation() const { return generation_; }

@@ -8,7 +8,8 @@ namespace morphgrid {
 namespace {
 
 constexpr std::chrono::milliseconds kFramePatience(100);
-constexpr double kUnknownGroupSeconds = 1.5e-5;  // Of the dearest kernels, about.
+// About what a workgroup of the dearest kernels takes.
+constexpr double kUnknownGroupSeconds = 1.5e-5;
 constexpr double kCompileSeconds = 0.03;
 constexpr double kLeastGroupSeconds = 1e-8;
 constexpr double kMostGroupSeconds = 1e-2;

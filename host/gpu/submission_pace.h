@@ -18,7 +18,7 @@ class SubmissionPace {
  public:
   /// What is submitted together should take no longer, in seconds: a part of a frame.
   static constexpr double kLongest = 0.008;
-  /// Of what is recorded, no more workgroups than these are inseparable.
+  /// What is recorded can be parted at least after so many workgroups.
   static constexpr long kMostGroups = 256;
 
   /// In seconds.

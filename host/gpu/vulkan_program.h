@@ -13,7 +13,7 @@ namespace morphgrid {
 
 /// A compute shader on its way to the device.
 struct KernelProgram {
-  const char* name;  ///< Of its source file.
+  const char* name;  ///< The name of its source file.
   ResourceLayout resources;
   vk::raii::PipelineLayout layout;
   /// Compiled on a thread of its own. get() throws DeviceError when the device refuses.

@@ -5,7 +5,7 @@
 
 namespace morphgrid {
 
-/// Where a vertex is; a cell bears the place of its vertex with the lowest indices.
+/// The place of a vertex; a cell has that of its vertex with the lowest indices.
 struct GridPlace {
   int i;  ///< Along u.
   int j;  ///< Along v.
@@ -42,8 +42,8 @@ struct Cell {
 };
 
 /// Which vertices, struts, corners and cells a grid has: verticesU x verticesV x layers vertices
-/// with struts between neighbours. What there is, is asked of the forEach... below, which ask
-/// hasSpan() of shared/topology.h; they are inlined, so that nobody needs a list.
+/// with struts between neighbours. The forEach... functions below visit what there is, by hasSpan()
+/// of shared/topology.h; they are inlined, so that nobody needs a list.
 struct GridShape {
   int verticesU;
   int verticesV;
@@ -73,7 +73,7 @@ struct GridShape {
     return vertexIndex({verticesU, verticesV, layers}, {i, j, k});
   }
   int index(const GridPlace& place) const { return index(place.i, place.j, place.layer); }
-  /// Vertices of a column are numbered like those of the bottom layer.
+  /// The vertex of a column in layer k; columns have the indices of their vertices in layer 0.
   constexpr int index(int column, int k) const { return k * layerVertexCount() + column; }
   constexpr int column(int vertex) const { return vertex % layerVertexCount(); }
   constexpr GridPlace place(int vertex) const {
@@ -85,7 +85,7 @@ struct GridShape {
   bool operator==(const GridShape&) const = default;
 };
 
-/// As shared/topology.h knows it.
+/// The shape as the functions of shared/topology.h take it.
 inline ivec3 sizeOf(const GridShape& shape) {
   return {shape.verticesU, shape.verticesV, shape.layers};
 }

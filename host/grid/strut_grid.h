@@ -6,8 +6,8 @@
 
 namespace morphgrid {
 
-/// One value per strut, stored at the vertex that the strut leaves in the +u, +v or +w direction;
-/// 0 where there is no such strut.
+/// One value per strut, stored at the index of the vertex that the strut leaves in the +u, +v or +w
+/// direction; each vector has vertexCount values, 0 where there is no such strut.
 struct StrutValues {
   std::vector<double> u, v, w;
 
@@ -20,12 +20,13 @@ struct StrutValues {
 struct StrutGrid {
   GridShape shape;
   double spacing;              ///< Length of a cell of the printed sheet, > 0: the natural unit.
-  Eigen::Matrix3Xd positions;  ///< Where the stage starts, in the scene's unit of length.
+  Eigen::Matrix3Xd positions;  ///< 3 x vertexCount, where the stage starts; the scene's unit.
   StrutValues rest;            ///< Rest lengths L, > 0 where there is a strut.
   StrutValues stiffness;       ///< w c of `w c (|e| - L)^2`, > 0 where there is a strut.
   double angleWeight;          ///< w of every corner, >= 0.
 };
 
+/// The value of a strut of the grid that the values belong to.
 template <typename Values>  // StrutValues or const StrutValues
 auto& valueAt(Values& values, const Strut& strut) {
   using enum Strut::Direction;
@@ -49,11 +50,11 @@ auto layerOf(const GridShape& shape, Matrix& vertices, int k) {
 void validate(const StrutGrid& grid);
 
 /// A layer of shape.verticesU x verticesV vertices whose struts rest where they are: makes a target
-/// something that is drawn like a result. points: one column a vertex; spacing as of StrutGrid.
+/// something that is drawn like a result. points: 3 x layerVertexCount; spacing: see StrutGrid.
 StrutGrid layerAtRest(const GridShape& shape, double spacing, const Eigen::Matrix3Xd& points);
 
-/// The layer that stands for the surface: the middle one, or the mean of the middle two.
-/// Returns layerVertexCount columns.
+/// The layer that stands for the surface: the middle one, or the mean of the middle two. positions:
+/// 3 x vertexCount; returns 3 x layerVertexCount.
 Eigen::Matrix3Xd middleLayer(const GridShape& shape, const Eigen::Matrix3Xd& positions);
 
 }  // namespace morphgrid

@@ -16,7 +16,7 @@ using Triplets = std::vector<Eigen::Triplet<double>>;
 /// are ((count-1) refine + 1) x count and map points to samples.
 struct SplineSamples {
   SparseWeights position;
-  SparseWeights derivative;  ///< By the parameter that runs from 0 to 1 in each segment.
+  SparseWeights derivative;  ///< Derivative by the parameter that runs from 0 to 1 in each segment.
 };
 
 /// Adds weight times the tangent at a point. The ends take the tangent of the parabola through the

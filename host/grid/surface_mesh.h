@@ -7,14 +7,14 @@ namespace morphgrid {
 
 /// A triangle mesh over a lattice of points.
 struct SurfaceMesh {
-  Eigen::Matrix3Xd vertices;
+  Eigen::Matrix3Xd vertices;   ///< In the unit of length of the points.
   Eigen::Matrix3Xd normals;    ///< Unit length, one per vertex.
   Eigen::Matrix3Xi triangles;  ///< Vertex indices, counter-clockwise about the normal.
 };
 
-/// Triangulates a layer of points, of whose shape the layers do not count (one column a vertex),
-/// with `refine` x `refine` cells per cell on the Catmull-Rom surface through the points; refine
-/// >= 1.
+/// Triangulates a layer of points with `refine` x `refine` cells per cell, refine >= 1, on the
+/// Catmull-Rom surface through them. points: 3 x layerVertexCount of the shape, whose number of
+/// layers does not count.
 SurfaceMesh tessellate(const GridShape& shape, const Eigen::Matrix3Xd& points, int refine);
 
 }  // namespace morphgrid

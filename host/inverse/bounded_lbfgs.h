@@ -10,13 +10,14 @@ namespace morphgrid {
 class BoundedLbfgs {
  public:
   struct Pair {
-    Eigen::VectorXd step;
-    Eigen::VectorXd change;  ///< Of the gradient.
+    Eigen::VectorXd step;    ///< s, of the variables.
+    Eigen::VectorXd change;  ///< y, how the gradient changed in that step.
   };
 
   /// low <= high, of the same size.
   BoundedLbfgs(Eigen::VectorXd low, Eigen::VectorXd high);
 
+  /// The nearest point of the box.
   Eigen::VectorXd project(const Eigen::VectorXd& x) const {
     return x.cwiseMax(low_).cwiseMin(high_);
   }
@@ -25,13 +26,14 @@ class BoundedLbfgs {
   Eigen::VectorXd direction(const Eigen::VectorXd& x, const Eigen::VectorXd& gradient,
                             double firstStep) const;
 
-  /// After a step s by which the gradient changed by y. Pairs without positive curvature are left
-  /// out.
+  /// Adds a pair: a step s, in which the gradient changed by y. Pairs without positive curvature
+  /// are left out, and the oldest where there are too many.
   void add(const Eigen::VectorXd& s, const Eigen::VectorXd& y);
   void clear() { pairs_.clear(); }
   bool empty() const { return pairs_.empty(); }
 
-  /// The oldest first. Given to another one, it goes on as this one would.
+  /// The pairs, the oldest first. Another BoundedLbfgs that is given them goes on as this one
+  /// would.
   const std::deque<Pair>& pairs() const { return pairs_; }
   void setPairs(std::deque<Pair> pairs) { pairs_ = std::move(pairs); }
 

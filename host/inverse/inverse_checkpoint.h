@@ -16,12 +16,12 @@ struct InverseStep {
     optimise,    ///< A step along the adjoint gradient.
   };
   Kind kind;
-  int number;         ///< Of its kind, from 1; 0 for the design.
+  int number;         ///< Counts the steps of its kind, from 1; 0 for the design.
   double rmsPercent;  ///< Distance to the target, see ShapeError.
   double maxPercent;
   double largestShrinkPercent;  ///< 1 - rest / printed length, over all lateral struts.
   long strutsAtBound;
-  long cycles;          ///< Of multigrid, to the new equilibria.
+  long cycles;          ///< V-cycles of multigrid, to the new equilibria.
   int adjointProducts;  ///< Hessian products and cycles of the adjoint.
   double seconds;       ///< Since inverse design began.
 };
@@ -40,7 +40,7 @@ struct InverseCheckpoint {
   bool compensated = false;  ///< Rounds of spring-back correction are over.
   Design present;
   Design kept;                ///< The last one that was settled, see InverseDesigner.
-  std::size_t keptSteps = 0;  ///< Of `steps`, those that lead to it.
+  std::size_t keptSteps = 0;  ///< How many of `steps` lead to it.
   std::vector<InverseStep> steps;
   std::vector<double> objectives;  ///< After each step of optimisation.
   std::deque<BoundedLbfgs::Pair> pairs;

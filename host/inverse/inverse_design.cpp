@@ -16,7 +16,7 @@ using Eigen::VectorXd;
 
 // Where no bound is asked for, a rest length stays within this share of the designed one.
 constexpr double kTrust = 0.3;
-// Of the spacing: the first step along the gradient, and the largest change of a rest length.
+// The first step along the gradient and the largest change of a rest length, in spacings.
 constexpr double kFirstStep = 0.02;
 constexpr double kLargestStep = 0.1;
 constexpr int kLineSearchSteps = 6;
@@ -28,7 +28,7 @@ constexpr int kQuietSteps = 1;
 constexpr int kStepsToSettle = 10;
 // So many times the objective: the grid has left for another equilibrium.
 constexpr double kGaveWay = 1.1;
-// Of the slow morph from flat.
+// Steps of the slow morph from flat.
 constexpr int kMorphSteps = 4;
 // Relative: equilibria whose energies differ by more are not the same.
 constexpr double kSameEnergy = 1e-5;

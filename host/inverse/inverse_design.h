@@ -16,35 +16,36 @@ struct InverseOptions {
   int compensateRounds = 0;           ///< >= 0
   int optimiseSteps = 0;              ///< >= 0
   std::optional<double> shrinkLimit;  ///< Share of its printed length that a strut may lose.
-  SolveOptions solve;                 ///< Of the last equilibrium.
+  SolveOptions solve;                 ///< For the last equilibrium.
   std::function<void(const InverseStep&)> onStep;  ///< May be empty.
-  /// Called with where it stands, as often as costs 1 % of the time, and when it has to end early;
-  /// may be empty.
+  /// Called with where inverse design stands, as often as costs 1 % of the time, and when it has to
+  /// end early; may be empty.
   std::function<void(InverseCheckpoint)> onCheckpoint;
-  /// Of an inverse design of the same grid, targets and bounds. Steps and seconds count on.
+  /// Where an inverse design of the same grid, targets and bounds stood. Steps and seconds count
+  /// on.
   std::optional<InverseCheckpoint> resumeFrom;
 };
 
 /// Where the chosen design gets by a slow morph from the printed sheet, see followMorph().
 struct FromFlat {
-  bool sameEquilibrium;  ///< That of the inverse design.
+  bool sameEquilibrium;  ///< Whether it is that of the inverse design.
   double rmsPercent;     ///< Distance to the target, see ShapeError.
 };
 
 struct InverseDesign {
   StrutValues rest;                ///< The design that was kept.
-  Equilibrium equilibrium;         ///< Its.
-  std::vector<InverseStep> steps;  ///< Up to it.
+  Equilibrium equilibrium;         ///< That of the design.
+  std::vector<InverseStep> steps;  ///< The steps that led to it.
   /// "all steps done", "the distance no longer falls", "interrupted", "device failure", "in step N
   /// the grid left for another equilibrium".
   std::string ending;
-  std::optional<FromFlat> fromFlat;  ///< Not where it ended early.
+  std::optional<FromFlat> fromFlat;  ///< None where inverse design ended early.
 };
 
 /// Chooses lateral rest lengths so that the simulated grid, not the single strut, meets its target:
 /// first spring-back correction, then L-BFGS on the adjoint gradient over the box of what a strut
-/// may do. Each equilibrium starts from the last one, less tightly solved; every so often a design
-/// is settled: solved to the end and, if it holds, kept.
+/// may do (docs/method.md, Inverse design). Each equilibrium starts from the last one, less tightly
+/// solved; every so often a design is settled: solved to the end and, if it holds, kept.
 class InverseDesigner {
  public:
   /// The solver's grid is stacked, at the positions where it is printed, with its designed rest
@@ -90,7 +91,7 @@ class InverseDesigner {
   MultigridSolver& solver_;
   const Eigen::Matrix3Xd& targets_;
   InverseOptions options_;
-  SolveOptions onTheWay_;  ///< Of equilibria that are only steps.
+  SolveOptions onTheWay_;  ///< For equilibria that are only steps.
   SolveOptions toTheEnd_;
   LateralRest lateral_;
   Eigen::VectorXd designed_;

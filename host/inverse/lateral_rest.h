@@ -13,6 +13,7 @@ class LateralRest {
 
   Eigen::Index size() const { return shape_.lateralStrutCount(); }
 
+  /// The lateral rest lengths of a grid of this shape.
   Eigen::VectorXd of(const StrutGrid& grid) const;
   /// grid.rest with these lengths, one a lateral strut, in place of its own.
   StrutValues replacedIn(const StrutGrid& grid, const Eigen::VectorXd& lengths) const;
@@ -20,8 +21,9 @@ class LateralRest {
   /// Distances of the struts' ends. positions: 3 x vertexCount.
   Eigen::VectorXd lengthsAt(const Eigen::Matrix3Xd& positions) const;
 
-  /// dJ/dL of J(x(L)), x the equilibrium of the grid: `2 c n . (lambda_to - lambda_from)`, n the
-  /// strut's unit vector, H lambda = dJ/dx with H the exact Hessian of the energy.
+  /// dJ/dL of J(x(L)), x the equilibrium of the grid: `2 w c n . (lambda_to - lambda_from)`, n the
+  /// strut's unit vector, H lambda = dJ/dx with H the exact Hessian of the energy (docs/method.md,
+  /// Inverse design). equilibrium, lambda: 3 x vertexCount.
   Eigen::VectorXd gradient(const StrutGrid& grid, const Eigen::Matrix3Xd& equilibrium,
                            const Eigen::Matrix3Xd& lambda) const;
 

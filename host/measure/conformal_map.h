@@ -13,9 +13,9 @@ struct ConformalMap {
   /// (u, v) of every point of the lattice, 2 x countU countV, linear within triangles. The sides
   /// map to the sides: u is exactly 0 and 1 in the first and last column, v in the rows.
   Eigen::Matrix2Xd values;
-  /// Of the lattice, 3 x n, counter-clockwise as seen with u to the right and v upwards.
+  /// The lattice's triangles, 3 x n, counter-clockwise as seen with u to the right and v upwards.
   Eigen::Matrix3Xi triangles;
-  double modulus;  ///< Of the rectangle: its extent along v over that along u.
+  double modulus;  ///< Extent of the rectangle along v over that along u.
 };
 
 /// Solves the Laplace equation twice with the cotangent weights of linear finite elements (Pinkall

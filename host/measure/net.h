@@ -41,7 +41,8 @@ void requireUnfolded(const Net& net);
 /// How even and how orthogonal a net is on its surface.
 struct NetQuality {
   double strutRatio;  ///< Longest over shortest chord between neighbours; infinite when one is 0.
-  double meanAngleDeviation;  ///< Of the angles between neighbouring chords from 90 degrees, rad.
+  double meanAngleDeviation;     ///< How far the angles between neighbouring chords are from 90
+                                 ///< degrees on average, rad.
   double largestAngleDeviation;  ///< rad
 };
 NetQuality assessNet(const PointLattice& points);

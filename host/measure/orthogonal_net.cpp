@@ -56,7 +56,7 @@ class Rasteriser {
     return std::min(nodes - 1, static_cast<int>(std::floor(high)));
   }
 
-  /// Of several triangles, which meet there or overlap in a fold, the one deepest inside counts.
+  /// Where several triangles meet, or overlap in a fold, the one deepest inside counts.
   void settle(int vertex, const Eigen::Vector3i& triangle, const Vector3d& shares) {
     const double inside = shares.minCoeff();
     if (inside < -kTolerance || inside <= inside_[vertex]) return;
@@ -102,7 +102,7 @@ void placeSides(const ConformalMap& map, Net& net) {
 }  // namespace
 
 Net orthogonalNet(const ConformalMap& map, int nodesU, int nodesV) {
-  // The triangles cover the square, so every vertex is found; NaN would be told as a fold.
+  // The triangles cover the square, so every vertex is found; NaN would be reported as a fold.
   Net net{nodesU, nodesV, Eigen::Matrix2Xd::Constant(2, (nodesU + 1) * (nodesV + 1), std::nan(""))};
   Rasteriser rasteriser(map, net);
   for (const auto& triangle : map.triangles.colwise()) {

@@ -22,7 +22,7 @@ struct SurfaceSurvey {
 /// What the isolines of one direction have.
 struct DirectionSurvey {
   double longestIsoline = 0;
-  double largestCurvature = 0;  ///< Of |kappa|.
+  double largestCurvature = 0;  ///< The largest abs(kappa), 1 / length.
 };
 
 /// curvatures: all |kappa|, in any order, at least one. Throws InputError when there is no extent

@@ -10,7 +10,8 @@
 namespace morphgrid {
 namespace {
 
-constexpr double kFieldOfView = 28 * std::numbers::pi / 180;  ///< Of the picture's shorter side.
+/// rad, over the picture's shorter side.
+constexpr double kFieldOfView = 28 * std::numbers::pi / 180;
 constexpr double kFramed = 0.9;  ///< Share of the field of view that the points may fill.
 
 /// Rows: right, up, and towards the eye.
@@ -37,7 +38,8 @@ double fittingDistance(const Eigen::ArrayXd& sideways, const Eigen::ArrayXd& tow
 
 /// Where the eye sees the outermost points on either side under equal angles. depths > 0.
 double centeredEye(const Eigen::ArrayXd& sideways, const Eigen::ArrayXd& depths) {
-  constexpr int kMostChanges = 20;  // Of the outermost points: two or three are usual.
+  // How often the outermost points may change: two or three times are usual.
+  constexpr int kMostChanges = 20;
   double eye = sideways.mean();
   for (int change = 0; change < kMostChanges; ++change) {
     Eigen::Index first, last;

@@ -19,12 +19,12 @@
 namespace morphgrid {
 namespace {
 
-constexpr int kFewestPieces = 400;         // Of a spline: it looks smooth.
+constexpr int kFewestPieces = 400;         // A spline of as many pieces looks smooth.
 constexpr double kLineHalfWidth = 0.0016;  // Shares of the sampled box's diagonal.
 constexpr double kBallRadius = 0.0055;
 constexpr double kLinePerCell = 0.06;  // The largest half width and radius, in drawn cells.
 constexpr double kBallPerCell = 0.17;
-constexpr double kLiftPerStep = 0.5;  // Of the rays: the mesh bulges between them.
+constexpr double kLiftPerStep = 0.5;  // In distances of the rays: the mesh bulges between them.
 
 /// Local coordinates, see SamplingPush.
 struct LocalFrame {

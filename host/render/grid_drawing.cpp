@@ -10,9 +10,10 @@
 namespace morphgrid {
 namespace {
 
-constexpr double kStrutHalfWidth = 0.042;    // Spacings.
-constexpr double kLargestHalfWidth = 0.012;  // Of the grid's longer side: few cells stay slender.
-constexpr int kSmoothQuads = 30000;          // The surface is refined up to about this many.
+constexpr double kStrutHalfWidth = 0.042;  // Spacings.
+// Share of the grid's longer side: struts of few cells stay slender.
+constexpr double kLargestHalfWidth = 0.012;
+constexpr int kSmoothQuads = 30000;  // The surface is refined up to about this many.
 constexpr int kFinestRefinement = 16;
 constexpr int kMostIsolines = 50;  // Along u, and along v.
 

@@ -11,7 +11,7 @@ namespace morphgrid {
 
 /// What pictures of struts and of surfaces have in common.
 
-/// Of positions or rest lengths: an ivec4 a vertex.
+/// Views of buffers that hold an ivec4 a vertex, as positions and rest lengths do.
 TexelView texelsOf(const Device& device, const Buffer& buffer);
 TexelView positionTexels(const Device& device, const DeviceGrid& grid);
 TexelView restTexels(const Device& device, const DeviceGrid& grid);

@@ -31,12 +31,13 @@ enum class StrutStyle {
 
 /// What of a grid is drawn, and how.
 struct GridLook {
-  bool isSurface = false;        ///< The middle layer's surface instead of the struts.
-  bool isVeil = false;           ///< Of a surface: translucent, without colours.
-  std::optional<int> mostQuads;  ///< Of a surface, about; none: as surfacePush() chooses.
+  bool isSurface = false;  ///< The middle layer's surface instead of the struts.
+  bool isVeil = false;     ///< Whether the surface is translucent, without colours.
+  /// A surface has about so many at most; none: as surfacePush() chooses.
+  std::optional<int> mostQuads;
   StrutStyle style = StrutStyle::ribbons;
-  int stride = 1;  ///< Of lines: they join every n-th vertex along u and v.
-  std::array<bool, 3> directions = {true, true, true};  ///< Of struts: those to +u, +v, +w.
+  int stride = 1;  ///< Lines join every n-th vertex along u and v.
+  std::array<bool, 3> directions = {true, true, true};  ///< Whether struts to +u, +v, +w are drawn.
 };
 
 /// What shaders read of a grid. Must live until the device has drawn.
@@ -88,7 +89,7 @@ class GridPainter {
   void drawSurface(const CommandBuffer& commands, const GridResources& resources,
                    const ResourceSet& set, const GridLook& look, const LocalView& view) const;
 
-  std::array<Painter, 3> struts_;  ///< By StrutStyle.
+  std::array<Painter, 3> struts_;  ///< Indexed by StrutStyle.
   Painter surface_;
   GraphicsPipeline veil_;
 };

@@ -10,7 +10,7 @@
 namespace morphgrid {
 namespace {
 
-constexpr double kBeyond = 0.3;  // Of the bar, at either end, for shares below 0 and above 1.
+constexpr double kBeyond = 0.3;  // Share of the bar at either end for shares below 0 and above 1.
 
 double shareAt(double place) { return (place - kBeyond) / (1 - 2 * kBeyond); }
 double placeOf(double share) { return kBeyond + share * (1 - 2 * kBeyond); }

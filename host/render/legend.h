@@ -20,15 +20,15 @@ struct Legend {
   std::vector<LegendMark> marks;
 };
 
-/// Of struts by strain.
+/// For struts coloured by strain.
 Legend strainLegend();
 
-/// Of struts by the share that they use of what they can shrink; beyond its ends the colours of
-/// those that would have to grow, and of those over the limit.
+/// For struts coloured by the share that they use of what they can shrink; beyond its ends are the
+/// colours of those that would have to grow, and of those over the limit.
 Legend shrinkLegend();
 
-/// Of a surface by its distance from 0 to `largest`, in the scene's unit, which is `largestPercent`
-/// of the target's diagonal.
+/// For a surface coloured by its distance from 0 to `largest`, in the scene's unit, which is
+/// `largestPercent` of the target's diagonal.
 Legend distanceLegend(double largest, double largestPercent);
 
 }  // namespace morphgrid

@@ -26,7 +26,7 @@ struct Footer {
   double letters;
   int height;
   int margin;    ///< Left and right.
-  int baseline;  ///< Of the caption and of the legend's title.
+  int baseline;  ///< Baseline of the caption and of the legend's title.
   int barLeft, barTop, barWidth, barHeight;
 };
 

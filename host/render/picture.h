@@ -10,8 +10,8 @@ namespace morphgrid {
 
 /// A picture is a scene with a footer: a caption on the left, a legend on the right.
 struct PictureOptions {
-  int width = 1280;     ///< Of the whole, in pixels, >= kSmallestPicture
-  int height = 960;     ///< Of the whole, in pixels, >= kSmallestPicture
+  int width = 1280;     ///< Scene and footer, in pixels, >= kSmallestPicture
+  int height = 960;     ///< Scene and footer, in pixels, >= kSmallestPicture
   std::string caption;  ///< UTF-8; on two lines where it must, then cut short.
   std::optional<Legend> legend;
   double lettersPerSide = 44;  ///< How many lines of text would be as high as the picture, > 0.

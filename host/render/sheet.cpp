@@ -16,7 +16,7 @@ namespace morphgrid {
 namespace {
 
 constexpr Color kText = {45, 50, 60};
-constexpr double kLinesPerPanel = 34;     // Of captions, were they to fill a panel.
+constexpr double kLinesPerPanel = 34;     // Lines of a caption that would fill a panel.
 constexpr double kTitle = 1.6;            // Letters of the title, in those of captions.
 constexpr double kTitleMargin = 0.7;      // Above, below and left of it, in letters of the title.
 constexpr double kTextLineHeight = 1.25;  // In letters.

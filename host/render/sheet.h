@@ -8,8 +8,8 @@ namespace morphgrid {
 
 /// A part of a sheet: a picture's scene with its caption and legend.
 struct Panel {
-  Image scene;          ///< Of sceneSize(panelPicture()).
-  std::string caption;  ///< As of PictureOptions.
+  Image scene;          ///< Its size is sceneSize(panelPicture()).
+  std::string caption;  ///< See PictureOptions.
   std::optional<Legend> legend;
 };
 

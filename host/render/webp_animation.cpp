@@ -16,7 +16,7 @@ namespace {
 
 // Lines stay crisp, and a file is a tenth of what lossless takes.
 constexpr float kQuality = 60;
-// Of libwebp's 0 (quick) to 6: beyond, files hardly shrink.
+// libwebp counts from 0 (quick) to 6; beyond this files hardly shrink.
 constexpr int kEffort = 4;
 
 struct WebpPicture : WebPPicture {

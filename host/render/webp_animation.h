@@ -13,7 +13,7 @@ class WebpAnimation {
  public:
   static constexpr int kLargestSide = 16383;  ///< Pixels.
 
-  /// Of all frames, in pixels, 1 to kLargestSide.
+  /// The size of all frames, in pixels, 1 to kLargestSide.
   WebpAnimation(int width, int height);
 
   /// Opaque. Throws InputError when it cannot be packed.
@@ -30,7 +30,7 @@ class WebpAnimation {
 
   int width_;
   int height_;
-  int milliseconds_ = 0;  ///< Of all frames so far.
+  int milliseconds_ = 0;  ///< Duration of all frames so far.
   std::unique_ptr<WebPAnimEncoder, Deleter> encoder_;
 };
 

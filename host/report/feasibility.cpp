@@ -28,7 +28,7 @@ Vector3d upwards(const GridShape& shape, const Matrix3Xd& x, const Cell& cell) {
   return sum.stableNormalized();
 }
 
-/// Of a cell that has no sides: 0.
+/// See report.md; 0 for a cell whose sides have no length.
 double relativeArea(const GridShape& shape, const Matrix3Xd& x, const Cell& cell) {
   const auto corner = [&](int di, int dj) { return x.col(cell.vertex(di, dj)); };
   const Vector3d rising = corner(1, 1) - corner(0, 0);

@@ -15,8 +15,8 @@ namespace morphgrid {
 constexpr double kCollapsedArea = 0.05;
 
 struct CellFigures {
-  int inverted = 0;   ///< Of all layers.
-  int collapsed = 0;  ///< Of all layers.
+  int inverted = 0;   ///< Cells of all layers.
+  int collapsed = 0;  ///< Cells of all layers.
   double smallestRelativeArea = 1;
   GridPlace smallest{};  ///< The cell of that area.
 };

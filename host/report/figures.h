@@ -26,8 +26,8 @@ struct TargetDistance {
   double maxPercent;
   double closestPointRmsPercent;  ///< To the closest point of the surface: forgives sliding in it.
   double closestPointMaxPercent;
-  DistanceSpread spread;              ///< Of the distances to the points of the same parameters.
-  DistanceSpread closestPointSpread;  ///< Of those to the closest points.
+  DistanceSpread spread;  ///< How the distances to the points of the same parameters are spread.
+  DistanceSpread closestPointSpread;  ///< How those to the closest points are spread.
 };
 
 /// middle, targets: one column per vertex of a layer, matching. closestPoints: of the target.

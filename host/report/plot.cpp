@@ -22,9 +22,9 @@ constexpr double kSmallPanel = 200;  // ... and of one among others.
 constexpr double kGap = 24;
 constexpr double kLineHeight = 16;
 
-constexpr std::size_t kFewPoints = 12;  // Of a series: these get large dots.
+constexpr std::size_t kFewPoints = 12;  // Series of at most so many points get large dots.
 
-// Told apart by those who do not see red and green apart too (Okabe & Ito 2008).
+// Colours that people who cannot see red and green apart can tell apart too (Okabe & Ito 2008).
 constexpr std::array kSeriesColors{"#d55e00", "#0072b2", "#009e73",
                                    "#cc79a7", "#e69f00", "#56b4e9"};
 

@@ -6,8 +6,8 @@
 namespace morphgrid {
 namespace {
 
-constexpr int kMostSteps = 6;  // Of a linear axis.
-// In the largest value: a smaller range cannot be read off the numbers.
+constexpr int kMostSteps = 6;  // Labelled steps of a linear axis.
+// Share of the largest value: a smaller range cannot be read off the numbers.
 constexpr double kLeastRange = 1e-4;
 // What is beyond, or closer to 0, takes arithmetic out of the range of double.
 constexpr double kLargest = 1e300;

@@ -38,7 +38,7 @@ Integer integer(const json& value) {
   return static_cast<Integer>(wide);
 }
 
-/// Of several, the one of that name.
+/// The choice of that name.
 template <typename Choice>
 Choice choose(std::initializer_list<Choice> choices, const json& name) {
   for (const Choice choice : choices) {

@@ -38,7 +38,8 @@ struct MeasurementFigures {
 /// Where the grid's lines run on the target.
 struct NetFigures {
   NetKind kind;
-  std::optional<double> modulus;  ///< Of the rectangle that the target maps to; v over u.
+  /// Extent along v over that along u of the rectangle that the target maps to.
+  std::optional<double> modulus;
   double blend;  ///< Share of the isolines that max_strut_ratio asked for, in [0, 1].
   NetQuality quality;
 };
@@ -46,12 +47,12 @@ struct NetFigures {
 /// The grid that the design chose.
 struct GridFigures {
   GridShape shape;
-  double spacing;            ///< Of the cells of the printed sheet, in the scene's unit of length.
-  double layerSpacing;       ///< tau, the same.
+  double spacing;       ///< Side of the cells of the printed sheet, in the scene's unit of length.
+  double layerSpacing;  ///< tau, the same.
   double bendShrinkPercent;  ///< The largest shrink between layers that the design asks for.
 };
 
-/// Everything that a run or a check has to tell; a check has no stages.
+/// Everything that a run or a check reports; a check has no stages.
 struct RunRecord {
   std::string scene;
   std::string title;
@@ -64,7 +65,8 @@ struct RunRecord {
   std::optional<NetFigures> net;                  ///< Not for grids given by bend angles.
   std::optional<MeshFigures> mesh;                ///< Only for meshes.
   std::optional<Equilibrium> inPlane;
-  double printScale = 1;  ///< Of the sheet that the in-plane stage left, see choosePrintScale().
+  /// How much the sheet that the in-plane stage left is enlarged, see choosePrintScale().
+  double printScale = 1;
   std::optional<Equilibrium> full;       ///< Not for grids of one layer.
   std::optional<InverseDesign> inverse;  ///< Its equilibrium is that of `full`.
   std::optional<StrutErrors> errors;

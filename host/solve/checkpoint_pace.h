@@ -33,7 +33,7 @@ class CheckpointPace {
 
   const std::function<void(Checkpoint)>& take_;
   Clock::time_point next_;
-  int phase_ = -1;  ///< Of the last one.
+  int phase_ = -1;  ///< Phase of the last checkpoint.
   bool ended_ = false;
 };
 

@@ -7,7 +7,7 @@
 
 namespace morphgrid {
 
-/// Of the level that is solved directly.
+/// The points of the level that is solved directly.
 PointGrid coarsestPoints(const GridShape& shape);
 
 /// All levels of multigrid but the finest: columns of vertices that move rigidly, then every second

@@ -40,7 +40,8 @@ Matrix6d holdingFreeMotions(const Matrix6d& block) {
          scaling;
 }
 
-/// Of A - s E E^T + s R R^T, given that of A: E the six motions of a point, R others. Woodbury.
+/// Turns the inverse of A into that of A - s E E^T + s R R^T by Woodbury's formula: E are the six
+/// motions of a point, R others.
 void exchangeStiffness(MatrixXd& inverse, Eigen::Index point, const MatrixXd& motions,
                        double stiffness) {
   const Eigen::Index count = motions.cols();

@@ -23,7 +23,8 @@ class ColumnWalk {
   ColumnWalk(const Device& device, const DeviceGrid& grid, std::uint32_t blockV,
              LayerLoop loop = LayerLoop::unrolled);
 
-  /// By their numbers, kConstantLayers and so on. measures: of the sweep.
+  /// Specialisation constants in the order of their numbers, kConstantLayers and so on. measures:
+  /// the kernel sums up energy and residual, as only sweeps may.
   std::vector<std::uint32_t> constants(bool measures = false) const;
   GridPush push() const;
 

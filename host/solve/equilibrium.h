@@ -67,7 +67,8 @@ struct SolveOptions {
   /// Whether to end early, asked for often; may be empty: only Ctrl-C counts then.
   std::function<bool()> isCancelled;
   bool stopRequested() const { return interruptRequested() || (isCancelled && isCancelled()); }
-  /// Of a solve of the same grid by the same method. Iterations and seconds count on from there.
+  /// Where a solve of the same grid by the same method stood. Iterations and seconds count on from
+  /// there.
   std::optional<SolveCheckpoint> resumeFrom;
 };
 

@@ -40,7 +40,7 @@ class GridGradient {
   /// Writes the gradient, and the sums for sums() to read once the stream has run.
   void record(CommandStream& stream, const Evaluation& evaluation) const;
 
-  /// Of the last evaluation that has run.
+  /// The sums of the last evaluation that has run.
   Sums sums() const;
 
  private:

@@ -9,8 +9,9 @@
 namespace morphgrid {
 namespace {
 
-constexpr double kAmplitude = 0.01;  // Of a wave, at most, in rest lengths of the shortest strut.
-constexpr int kWaves = 4;            // Along u and along v.
+// Largest amplitude of a wave, in rest lengths of the shortest strut.
+constexpr double kAmplitude = 0.01;
+constexpr int kWaves = 4;  // Along u and along v.
 
 double shortestRestLength(const StrutGrid& grid) {
   double shortest = std::numeric_limits<double>::infinity();

@@ -36,7 +36,7 @@ class LbfgsVectors {
   void recordTrial(CommandStream& stream, double length, int slot) const;
   void recordDots(CommandStream& stream) const;
 
-  /// Of what the stream has run last.
+  /// Results of what the stream has run last.
   double largestStep() const;
   Dots dots() const;
   GridGradient::Sums sums() const { return gradient_.sums(); }
@@ -55,7 +55,7 @@ class LbfgsVectors {
   struct StateKernels {
     ComputeKernel rightSide;
     ComputeKernel step;
-    std::vector<ComputeKernel> pair;  ///< By slot.
+    std::vector<ComputeKernel> pair;  ///< Indexed by slot.
     ComputeKernel dots;
   };
 

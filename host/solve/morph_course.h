@@ -8,7 +8,7 @@ namespace morphgrid {
 
 struct MorphOptions {
   int steps = 48;      ///< >= 1
-  SolveOptions solve;  ///< Of the last step; those before it are solved less tightly.
+  SolveOptions solve;  ///< For the last step; those before it are solved less tightly.
   /// Called after each step, from 1 on; may be empty.
   std::function<void(int step)> onStep;
 };
@@ -18,7 +18,7 @@ struct MorphCourse {
   /// 3 x vertexCount each, in the scene's unit of length: as printed, then after each step. Fewer
   /// when the user asked to stop.
   std::vector<Eigen::Matrix3Xd> positions;
-  Equilibrium end;      ///< Of the last step.
+  Equilibrium end;      ///< That of the last step.
   int unconverged = 0;  ///< Steps that did not converge.
 };
 

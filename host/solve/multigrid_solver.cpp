@@ -28,7 +28,7 @@ StopReason descend(PreconditionedDescent& descent, const SolveOptions& options,
                    SolveProgress& progress) {
   EnergyFall fall(options.energyTolerance, progress.noEnergy());
   for (;;) {
-    // Of long, soft grids a small residual says little: the energy must have come to rest too.
+    // For long, soft grids a small residual says little: the energy must have come to rest too.
     const bool isQuiet = fall.quietSteps() > 0 || options.energyTolerance == 0;
     if (isQuiet && progress.residualOf(descent) <= kResidualMargin * options.tolerance) {
       return StopReason::residual;

@@ -62,13 +62,14 @@ class MultigridSolver {
 
   const Device& device_;
   StrutGrid grid_;
-  std::unique_ptr<StrutEnergy> energy_;  ///< Of grid_.
+  std::unique_ptr<StrutEnergy> energy_;  ///< The energy of grid_.
   std::shared_ptr<DeviceGrid> deviceGrid_;
   std::unique_ptr<PreconditionedDescent> descent_;
   std::unique_ptr<AdjointSolver> adjoint_;
 };
 
-/// By a solver that is made for it; deviceGrid holds the grid, and the solution afterwards.
+/// Solves with a solver made for this one call; deviceGrid holds the grid, and the solution
+/// afterwards.
 Equilibrium solveMultigrid(const Device& device, const StrutGrid& grid, DeviceGrid& deviceGrid,
                            const SolveOptions& options);
 

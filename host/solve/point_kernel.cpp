@@ -5,7 +5,7 @@
 namespace morphgrid {
 namespace {
 
-/// Of the buffer with most.
+/// Bytes that a row takes in the written buffer that takes most.
 std::uint64_t writtenBytesPerRow(const std::vector<KernelResource>& resources, PointGrid points) {
   std::uint64_t most = 0;
   for (const KernelResource& resource : resources) {

@@ -15,7 +15,7 @@ namespace {
 constexpr auto kTexelUsage = BufferUsage::storageBuffer | BufferUsage::storageTexelBuffer |
                              BufferUsage::transferSrc | BufferUsage::transferDst;
 
-/// Of weighted Jacobi that damps eigenvalues from an eighth of the largest one on.
+/// The weight of Jacobi smoothing that damps eigenvalues from an eighth of the largest one on.
 constexpr double smoothingWeightFor(double spectralRadius) {
   return 2 / (spectralRadius * (1 + 1.0 / 8));
 }

@@ -25,7 +25,7 @@ class PreconditionedDescent {
   }
   double energy() const { return sums_.energy; }
   double gradientNorm() const;
-  /// By how much the energy would have fallen in the last step, were it quadratic; infinite before
+  /// How far the energy would have fallen in the last step, were it quadratic; infinite before
   /// the first.
   double predictedDecrease() const { return predictedDecrease_; }
 

@@ -9,7 +9,8 @@ namespace morphgrid {
 /// precision. Keeps references. Throws DeviceError when the device's limits are exceeded.
 Preconditioner vCyclePreconditioner(const Device& device, const DeviceGrid& grid);
 
-/// By a cycle that is there, correction = about H^-1 rightSide, as it is linearised.
+/// Preconditions with an existing cycle at its present linearisation: correction is about H^-1
+/// rightSide.
 Preconditioner vCyclePreconditioner(const Device& device, const VertexVector& rightSide,
                                     const VertexVector& correction, const VCycle& cycle);
 

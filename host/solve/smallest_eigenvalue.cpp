@@ -22,7 +22,7 @@ using Clock = std::chrono::steady_clock;
 // Motions that are searched side by side: with two, a close second eigenvalue slows the first less;
 // more cost more than they spare.
 constexpr Index kBlock = 2;
-// Of the mean stiffness: what rounding leaves of an eigenvalue of zero.
+// What rounding leaves of an eigenvalue of zero, over the mean stiffness.
 constexpr double kRounding = 1e-13;
 // A motion of which less than this share is left has been in the span of the others.
 constexpr double kDependent = 1e-10;
@@ -94,7 +94,7 @@ class Problem {
 
   /// New motions in the directions of the preconditioned `right`, orthonormal to all others.
   MatrixXd newMotions(const MatrixXd& right, const MatrixXd& known) const {
-    // Of norm 1, since preconditioners may be of single precision.
+    // Directions are scaled to norm 1, since preconditioners may be of single precision.
     return orthonormalised(apply(right.colwise().normalized(), preconditioner_),
                            joined(rigid_, known));
   }

@@ -46,10 +46,10 @@ Verdict verdictOf(const SmallestEigenvalue& eigenvalue);
 /// "minimum", "saddle", "undecided".
 std::string toString(Verdict verdict);
 
-/// By LOBPCG (Knyazev 2001), from a fixed random start. positions: 3 x vertexCount, an equilibrium
-/// in the scene's unit of length; elsewhere rotations are no eigenvectors, but taken out all the
-/// same. Stops early when the user interrupts. Throws DeviceError when the preconditioner gives no
-/// numbers.
+/// Computes it by LOBPCG (Knyazev 2001), from a fixed random start. positions: 3 x vertexCount, an
+/// equilibrium in the scene's unit of length; elsewhere rotations are no eigenvectors, but taken
+/// out all the same. Stops early when the user interrupts. Throws DeviceError when the
+/// preconditioner gives no numbers.
 SmallestEigenvalue computeSmallestEigenvalue(const StrutGrid& grid,
                                              const Eigen::Matrix3Xd& positions,
                                              const Preconditioner& preconditioner,

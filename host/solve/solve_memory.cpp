@@ -14,7 +14,7 @@ constexpr std::uint64_t kTexel = sizeof(vec4);
 
 // Texels a vertex.
 constexpr std::uint64_t kGridTexels = 4;      // DeviceGrid
-constexpr std::uint64_t kStagingTexels = 1;   // Of a download, on its way to the host.
+constexpr std::uint64_t kStagingTexels = 1;   // A download on its way to the host.
 constexpr std::uint64_t kDescentTexels = 16;  // LbfgsVectors, VCycle, GridHessian
 constexpr std::uint64_t kAdjointTexels = 2;   // AdjointSolver, beside the descent's.
 
@@ -32,7 +32,7 @@ std::uint64_t vertices(const GridShape& shape) {
   return std::uint64_t(shape.verticesU) * shape.verticesV * shape.layers;
 }
 
-/// Of all coarse levels: each has a quarter of the points of the one above.
+/// Points of all coarse levels: each has a quarter of those of the one above.
 std::uint64_t points(const GridShape& shape) {
   return std::uint64_t(shape.verticesU) * shape.verticesV * 4 / 3;
 }

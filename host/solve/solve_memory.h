@@ -9,8 +9,9 @@ namespace morphgrid {
 struct SolveMemory {
   std::uint64_t device;
   std::uint64_t host;
-  std::uint64_t largestBuffer;  ///< Of those on the device.
-  std::uint64_t mostBound;      ///< Of a buffer that kernels write, in the chunks in which they do.
+  std::uint64_t largestBuffer;  ///< The largest buffer on the device.
+  /// The most that kernels bind of a buffer that they write: a chunk of it.
+  std::uint64_t mostBound;
 };
 
 /// MultigridSolver, with checkpoints.

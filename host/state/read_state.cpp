@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kRotationTolerance = 1e-6;
 
-/// Of that of the printed positions.
+/// The grid's shape, from that of the array of printed positions.
 GridShape readShape(const ArrayReader& reader) {
   const ArrayShape& shape = reader.file().shapeOf("printed_positions");
   reader.require(shape.size() == 4 && shape[0] >= 1 && shape[1] >= 2 && shape[2] >= 2 &&
@@ -36,7 +36,7 @@ std::vector<double> strutValues(const ArrayReader& reader, const std::string& na
   return std::vector<double>(struts[0] * struts[1] * struts[2], value);
 }
 
-/// By vertex.
+/// The values of struts, each at the index of the vertex that the strut leaves.
 std::vector<double> scattered(const ArrayReader& reader, const std::string& name,
                               const GridShape& shape, const ArrayShape& struts) {
   const std::vector<double> gathered = strutValues(reader, name, struts);
@@ -77,7 +77,7 @@ StrutGrid readGrid(const ArrayReader& reader, const GridShape& shape) {
   return grid;
 }
 
-/// Of a layer; all above `low`. Arrays NAME_u and NAME_v.
+/// A field of one layer from the arrays NAME_u and NAME_v; all values must be above `low`.
 LateralField<double> readField(const ArrayReader& reader, const std::string& name,
                                const GridShape& shape, double low) {
   const StateShapes shapes(shape);

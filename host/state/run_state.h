@@ -13,14 +13,14 @@ namespace morphgrid {
 
 /// What a run leaves for commands that go on from it, without designing and solving again.
 struct RunState {
-  std::string program;              ///< That wrote it, with its version.
+  std::string program;              ///< The program that wrote it, with its version.
   std::string scene;                ///< The whole scene file in one text, which stands alone.
   std::filesystem::path sceneFile;  ///< Where the scene came from.
   GridDesign design;                ///< Without notices: the record has all.
-  std::optional<Eigen::Matrix3Xd> targets;  ///< 3 x layerVertexCount, of the middle layer.
-  std::optional<MeshSampling> sampling;     ///< Only of meshes.
-  StrutGrid grid;                           ///< Of the last stage, as printed.
-  Eigen::Isometry3d targetFromGrid;         ///< From the result to where the target lies.
+  std::optional<Eigen::Matrix3Xd> targets;  ///< 3 x layerVertexCount: the target's points.
+  std::optional<MeshSampling> sampling;     ///< None but for meshes.
+  StrutGrid grid;                           ///< The grid of the last stage, as printed.
+  Eigen::Isometry3d targetFromGrid;         ///< Brings the result to where the target lies.
   RunRecord record;                         ///< As readReport() gives it, with the stages whole.
 
   /// Where the last stage came to rest.

@@ -18,7 +18,7 @@ struct StateShapes {
 
   ArrayShape layerPoints() const { return {verticesV, verticesU, 3}; }
   ArrayShape points() const { return {layers, verticesV, verticesU, 3}; }
-  /// Those of the struts of one layer, then those of all of them.
+  /// Shapes for the struts of one layer, then for those of all layers.
   ArrayShape layerStrutsU() const { return {verticesV, verticesU - 1}; }
   ArrayShape layerStrutsV() const { return {verticesV - 1, verticesU}; }
   ArrayShape strutsU() const { return {layers, verticesV, verticesU - 1}; }

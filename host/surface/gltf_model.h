@@ -8,7 +8,7 @@
 
 namespace morphgrid {
 
-/// Reads a glTF or GLB file with its buffers, and of its JSON only what tells where triangles are:
+/// Reads a glTF or GLB file with its buffers, and of its JSON only what places triangles:
 /// no images, materials, animations, extensions. Indices and ranges are as in the file, unchecked.
 /// Throws InputError.
 tinygltf::Model readGltfModel(const MeshSource& source);

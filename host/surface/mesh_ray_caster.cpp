@@ -17,7 +17,8 @@ using Eigen::Vector2d;
 using Eigen::Vector3d;
 
 constexpr int kPacket = 8;
-constexpr std::size_t kRaysPerCheck = 1024 * kPacket;  // Of whether to go on.
+// Rays between two looks at whether to go on.
+constexpr std::size_t kRaysPerCheck = 1024 * kPacket;
 
 /// How far beside the mesh a ray still counts as on its boundary, in halves of the mesh's extent.
 constexpr double kReach = 2e-6;

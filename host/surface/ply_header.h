@@ -17,7 +17,7 @@ std::size_t byteCount(PlyType type);
 struct PlyProperty {
   std::string name;
   PlyType type;
-  std::optional<PlyType> countType;  ///< Of a list: a count comes before the values.
+  std::optional<PlyType> countType;  ///< Only for lists: the type of the count before the values.
 };
 
 /// A table: `rowCount` rows of all its properties.

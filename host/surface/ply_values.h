@@ -32,7 +32,7 @@ class PlyValues {
   const MeshSource& source_;
   PlyFormat format_;
   TextReader text_;
-  std::size_t offset_;  ///< Of the next value of a binary file.
+  std::size_t offset_;  ///< Offset of the next value of a binary file.
 };
 
 }  // namespace morphgrid

@@ -36,7 +36,8 @@ class EarClipping {
   }
 
  private:
-  /// By Newell's normal, with respect to a corner so that a far polygon loses no digits.
+  /// Projects along Newell's normal, taken with respect to a corner so that a far polygon loses no
+  /// digits.
   static Eigen::Matrix2Xd flattened(const Eigen::Matrix3Xd& points) {
     const Eigen::Matrix3Xd arms = points.colwise() - points.col(0).eval();
     Eigen::Vector3d normal = Eigen::Vector3d::Zero();

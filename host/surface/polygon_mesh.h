@@ -10,7 +10,7 @@ namespace morphgrid {
 struct PolygonMesh {
   std::vector<double> coordinates;  ///< x, y and z of a vertex after the other.
   std::vector<int> corners;         ///< Vertex indices, of a polygon after the other.
-  std::vector<int> cornerCounts;    ///< Of each polygon, 3 .. kMostCorners.
+  std::vector<int> cornerCounts;    ///< Corners of each polygon, 3 .. kMostCorners.
 };
 
 inline constexpr int kMostCorners = 4096;

@@ -29,7 +29,8 @@ TriangleMesh meshOfFacets(Eigen::Matrix3Xd corners) {
   return mesh;
 }
 
-/// Of a binary file with as many facets as it says, or its header when that is cut.
+/// How many bytes a binary file of as many facets as it says has; those of the header when that is
+/// cut.
 std::size_t binarySize(std::string_view bytes) {
   if (bytes.size() < kFacetsOffset) return kFacetsOffset;
   std::uint32_t facets = 0;

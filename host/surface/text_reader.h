@@ -27,13 +27,13 @@ class TextReader {
   double number(std::string_view word, std::string_view name) const;
 
   int line() const { return line_; }
-  /// Of what is not read yet.
+  /// Offset of what is not read yet, in bytes.
   std::size_t offset() const { return rest_.empty() ? next_ : rest_.data() - source_.bytes.data(); }
   InputError error(std::string_view what) const { return source_.errorAtLine(line_, what); }
 
  private:
   const MeshSource& source_;
-  std::string_view rest_;  ///< Of the line.
+  std::string_view rest_;  ///< What is left of the line.
   std::size_t next_ = 0;   ///< Offset of the next line.
   int line_ = 0;
 };

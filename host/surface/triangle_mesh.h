@@ -8,7 +8,7 @@ struct TriangleMesh {
   Eigen::Matrix3Xi triangles;  ///< 3 x m of vertex indices, m >= 1.
 };
 
-/// Of the vertices that triangles use.
+/// The box of the vertices that triangles use.
 Eigen::AlignedBox3d boundingBox(const TriangleMesh& mesh);
 
 /// The mesh with every vertex moved.

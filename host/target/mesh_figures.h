@@ -10,13 +10,13 @@ namespace morphgrid {
 /// How rays sampled a mesh.
 struct MeshFigures {
   std::string file;
-  int triangles = 0;
-  int rays = 0;            ///< Of both passes.
-  int missed = 0;          ///< Of those; filled where the run went on.
-  double largestJump = 0;  ///< Steepest step between neighbouring rays: |dx| over their distance.
-  double secondsBuild = 0;
-  double secondsRays = 0;
-  Eigen::AlignedBox3d extent;               ///< Of the transformed mesh.
+  int triangles = 0;           ///< After subdivision.
+  int rays = 0;                ///< Rays cast in both passes.
+  int missed = 0;              ///< Rays that hit nothing; where the run went on, they were filled.
+  double largestJump = 0;      ///< Steepest step between neighbouring rays: abs(dx) / distance.
+  double secondsBuild = 0;     ///< Wall time of building the hierarchy for the rays.
+  double secondsRays = 0;      ///< Wall time of casting.
+  Eigen::AlignedBox3d extent;  ///< Bounding box of the transformed mesh.
   std::optional<SamplingBox> suggestedBox;  ///< One without holes, where there is one.
 };
 

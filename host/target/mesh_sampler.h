@@ -6,11 +6,11 @@
 
 namespace morphgrid {
 
-/// Where rays run and what they put up with.
+/// Where rays run, and what is not an error.
 struct RaySettings {
-  SamplingBox box;
+  SamplingBox box;       ///< In the scene's unit of length.
   double fillHoles;      ///< Holes up to this width are filled; the scene's unit of length.
-  double steepestSlope;  ///< Of steps between neighbouring rays.
+  double steepestSlope;  ///< Largest abs(dx) / distance of neighbouring rays that is accepted.
 };
 
 /// Samples a mesh with rays, and keeps count.
@@ -25,19 +25,20 @@ class MeshSampler {
         figures_(std::move(figures)),
         cancellation_(std::move(cancellation)) {}
 
-  /// A lattice of rays over the box; holes filled as far as the settings allow. Throws InputError
+  /// Casts a lattice of countU x countV rays, >= 2 each, over the box (Eqs. 7 - 10); fills holes as
+  /// far as the settings allow. Throws InputError
   /// with advice when rays miss all the same or a step is too steep.
   RayHits cast(int countU, int countV);
 
-  /// The hits of rays through the parameters, 2 x n in [0, 1]^2 of the box. Where holes may be
-  /// filled, misses lie on `lattice`, an earlier cast; otherwise they are an InputError.
+  /// The hits, 3 x n, of rays through the parameters, 2 x n in [0, 1]^2 of the box. Where holes may
+  /// be filled, misses lie on `lattice`, an earlier cast; otherwise they are an InputError.
   Eigen::Matrix3Xd castThrough(const Eigen::Matrix2Xd& parameters, const RayHits& lattice);
 
   /// Unit normals p_u x p_v at the parameters, 3 x n: central differences over 4 % of the box,
   /// which smooth the facets; one-sided at its edges. `lattice` as above.
   Eigen::Matrix3Xd normals(const Eigen::Matrix2Xd& parameters, const RayHits& lattice);
 
-  /// Of all rays so far.
+  /// Figures of all rays so far.
   const MeshFigures& figures() const { return figures_; }
 
  private:

@@ -9,7 +9,7 @@ namespace morphgrid {
 std::shared_ptr<const Target> makePatchTarget(const PatchRequest& request,
                                               const Cancellation& cancellation = {});
 
-/// Of a fine triangulation of the surface.
+/// Closest points of a fine triangulation of the surface.
 ClosestPointQuery closestPointsOf(const Surface& surface);
 
 }  // namespace morphgrid

@@ -20,18 +20,18 @@ class TargetSampler {
  public:
   virtual ~TargetSampler() = default;
 
-  /// At the net's vertices.
+  /// The target's points at the net's vertices.
   virtual PointLattice points(const Net& net) = 0;
 
   /// Unit normals p_u x p_v at the net's vertices, 3 x (nodesU+1)(nodesV+1).
   virtual Eigen::Matrix3Xd normals(const Net& net) = 0;
 
-  /// The second pass: one length and curvature for each chord. points: of the net.
-  /// Curvatures are capped to curvatureLimit, in 1 / length.
+  /// The second pass: one length and curvature for each chord between neighbouring points, which
+  /// are those of the net. Curvatures are capped to curvatureLimit, in 1 / length.
   virtual SurfaceMeasurement measure(const Net& net, const PointLattice& points,
                                      double curvatureLimit) = 0;
 
-  /// Of all rays for the target so far; only of meshes.
+  /// Figures of all rays cast at the target so far; nothing for targets without rays.
   virtual std::optional<MeshFigures> meshFigures() const { return std::nullopt; }
 };
 
@@ -40,7 +40,7 @@ class TargetSampler {
 class Target {
  public:
   Target() = default;
-  /// files: what it is about to be loaded from.
+  /// files: those that it is about to be loaded from.
   explicit Target(const std::vector<std::filesystem::path>& files) : files_(files) {}
   virtual ~Target() = default;
   Target(const Target&) = delete;
@@ -49,13 +49,13 @@ class Target {
   /// The first pass: extents and curvature.
   virtual const SurfaceSurvey& survey() const = 0;
 
-  /// How rough it is, see LatticeSurvey; 1 / length. Only of what is rough.
+  /// The noise of the curvature, see LatticeSurvey; 1 / length. None for smooth surfaces.
   virtual std::optional<double> curvatureNoise() const { return std::nullopt; }
 
-  /// It must not outlive the target.
+  /// A sampler for one design; it must not outlive the target.
   virtual std::unique_ptr<TargetSampler> sampler(const Cancellation& cancellation) const = 0;
 
-  /// Made when asked for the first time.
+  /// The closest points of the target; built at the first call, by one thread.
   const ClosestPointQuery& closestPoints() const;
 
   /// From where a grid that has become the target is seen best.

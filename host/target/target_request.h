@@ -9,25 +9,26 @@
 
 namespace morphgrid {
 
-// What is asked of a target, with the places that messages about it name. Equal requests have the
-// same target, as long as their files stay.
+// What a scene says about its target, with the places that messages about it name. Equal requests
+// have the same target, as long as their files do not change.
 
 struct PatchRequest {
-  std::filesystem::path file;
-  BezierPatch::ControlPoints controlPoints;
-  Place place;  ///< Of the patch in the scene.
+  std::filesystem::path file;                ///< The patch file.
+  BezierPatch::ControlPoints controlPoints;  ///< As the file has them.
+  Place place;                               ///< Where the scene names the patch.
 
   bool operator==(const PatchRequest&) const = default;
 };
 
 struct MeshRequest {
-  std::filesystem::path file;  ///< Of the configuration.
+  std::filesystem::path file;  ///< The mesh configuration.
   MeshConfiguration configuration;
-  std::optional<SamplingBox> box;
-  Place boxPlace;             ///< Where the box stands in the scene, or is missing.
+  std::optional<SamplingBox> box;  ///< Where rays are cast; `check` may do without.
+  Place boxPlace;                  ///< Where the box stands in the scene, or is missing.
   double fillHoles = 0;       ///< Holes up to this width are filled; the scene's unit of length.
   double steepestSlope = 20;  ///< Steps between neighbouring rays beyond it stop the run.
-  double smoothingWidth = 0;  ///< Of the curvature along isolines, in the scene's unit of length.
+  /// Curvature is smoothed along isolines over it; in the scene's unit of length.
+  double smoothingWidth = 0;
 
   bool operator==(const MeshRequest&) const = default;
 };

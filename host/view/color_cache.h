@@ -15,7 +15,7 @@ class ColorCache {
   /// Null, and the legend of strains, where strains are shown.
   std::shared_ptr<const StrutShares> sharesFor(Coloring coloring, const ShownGrid& shown,
                                                const Snapshot& snapshot);
-  /// Of the last colours.
+  /// The legend of the last colours.
   const Legend& legend() const { return legend_; }
 
  private:

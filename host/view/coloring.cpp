@@ -37,7 +37,7 @@ Eigen::VectorXd targetDistances(const ShownGrid& shown, const Eigen::Matrix3Xd& 
   return (middleLayer(shown.grid->shape, aligned) - targets).colwise().norm();
 }
 
-/// Of a strut, the mean of its ends' columns.
+/// A strut's share is the mean of those of its ends' columns.
 StrutValues strutShares(const GridShape& shape, const Eigen::VectorXd& columns) {
   StrutValues shares(shape);
   forEachStrut(shape, [&](const Strut& strut) {

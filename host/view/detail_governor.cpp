@@ -9,20 +9,21 @@ namespace {
 // that has just missed one is answered by the next.
 constexpr double kLate = 0.030;
 constexpr double kWanted = 0.024;
-constexpr double kStill = 0.080;  // Of a frame that stays: still soon enough for an event.
+constexpr double kStill = 0.080;  // Seconds for a frame that stays: still soon enough for an event.
 
 /// What a frame takes with so many samples a pixel, about, in seconds. Only ratios matter once
 /// frames are measured.
 struct FrameCost {
   double withoutStruts;
-  std::array<double, 3> strut;  ///< By StrutStyle.
+  std::array<double, 3> strut;  ///< Indexed by StrutStyle.
 };
 constexpr FrameCost kPlainCost{0.007, {0.4e-6, 1e-6, 2.7e-6}};  // One sample.
 constexpr FrameCost kSmoothCost{0.018, {0.5e-6, 2e-6, 6e-6}};   // Four samples.
-constexpr double kWorthwhile = 0.9;  // Of a level's cost: a coarser one that spares less is none.
-constexpr int kFewestLines = 8;      // Each way.
-constexpr int kFewestFrames = 6;     // At a level, before it is judged.
-constexpr int kManyFrames = 40;      // At a level, before a finer one is tried.
+// Share of a level's cost: a coarser level that costs more than that is left out.
+constexpr double kWorthwhile = 0.9;
+constexpr int kFewestLines = 8;   // Each way.
+constexpr int kFewestFrames = 6;  // At a level, before it is judged.
+constexpr int kManyFrames = 40;   // At a level, before a finer one is tried.
 
 double strutsDrawn(const GridShape& shape, int stride) {
   const GridShape drawn{(shape.verticesU - 2) / stride + 2, (shape.verticesV - 2) / stride + 2,

@@ -9,8 +9,8 @@ namespace morphgrid {
 /// How finely struts are drawn.
 struct Detail {
   StrutStyle style;
-  int samples;  ///< Of a pixel.
-  int stride;   ///< Of lines, see GridLook.
+  int samples;  ///< Samples a pixel.
+  int stride;   ///< Every n-th line is drawn, see GridLook.
 
   bool operator==(const Detail&) const = default;
 };
@@ -44,7 +44,7 @@ class DetailGovernor {
   std::optional<StrutStyle> style_;
   std::vector<Detail> levels_;  ///< From the finest to the coarsest, at least one.
   std::size_t level_ = 0;
-  double average_ = 0;   ///< Of the frames at this level, in seconds.
+  double average_ = 0;   ///< Mean time of the frames at this level, in seconds.
   int frames_ = 0;       ///< At this level.
   double slowness_ = 1;  ///< What frames take over what they are expected to, of late.
 };

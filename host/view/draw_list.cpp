@@ -3,7 +3,7 @@
 namespace morphgrid {
 namespace {
 
-constexpr int kLiveQuads = 2000;  // Of surfaces, about.
+constexpr int kLiveQuads = 2000;  // About so many a surface.
 
 }  // namespace
 

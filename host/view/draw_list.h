@@ -19,10 +19,10 @@ class DrawList {
   const std::vector<DrawnGrid>& grids() const { return grids_; }
   /// Null unless that is what is shown.
   const std::shared_ptr<const MeshSampling>& sampling() const { return sampling_; }
-  int samples() const { return samples_; }  ///< Of a pixel.
-  /// Of struts in a picture that may take its time.
+  int samples() const { return samples_; }  ///< Samples a pixel.
+  /// The style of struts in a picture that may take its time.
   StrutStyle pictureStyle() const { return pictureStyle_; }
-  /// Of what is shown; none where colours mean nothing.
+  /// The legend of what is shown; none where colours mean nothing.
   const std::optional<Legend>& legend() const { return legend_; }
 
  private:

@@ -11,7 +11,7 @@ namespace morphgrid {
 void handleKeys(const Snapshot& snapshot, ViewState& state, Session& session,
                 const WindowActions& actions, Window& window);
 
-/// Of the scene: turns, moves and zooms, by mouse and keys. Returns the pixel of a click, if there
+/// Turns, moves and zooms the camera by mouse and keys. Returns the pixel of a click, if there
 /// was one.
 std::optional<glm::dvec2> handleCamera(const Window& window, OrbitCamera& camera,
                                        const Eigen::AlignedBox3d& extent, const View& view,

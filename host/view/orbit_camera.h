@@ -38,7 +38,7 @@ class OrbitCamera {
   Eigen::Vector3d pivot_ = Eigen::Vector3d::Zero();
   Eigen::Matrix3d rotation_ = Eigen::Matrix3d::Identity();
   double distance_ = 1;
-  double size_ = 1;  ///< Of the box that was framed last.
+  double size_ = 1;  ///< Size of the box that was framed last.
 };
 
 }  // namespace morphgrid

@@ -68,7 +68,7 @@ class SceneView {
   std::map<int, std::unique_ptr<Style>> styles_;
   std::vector<Held> held_;
   std::shared_ptr<const MeshSampling> sampling_;
-  std::unique_ptr<SamplingDrawing> samplingDrawing_;  ///< Of sampling_, for the style drawn last.
+  std::unique_ptr<SamplingDrawing> samplingDrawing_;  ///< Draws sampling_, in the style drawn last.
   const Style* samplingStyle_ = nullptr;
   PixelSize size_;
   std::vector<VkImageView> images_;

@@ -39,7 +39,7 @@ enum class Activity {
 struct Knob {
   std::string key;    ///< Dotted, e.g. "grid.layers".
   std::string label;  ///< For people.
-  double value = 0;   ///< Of a choice: its index.
+  double value = 0;   ///< For a choice, its index.
   double low = 0;
   double high = 1;
   bool isInteger = false;
@@ -57,24 +57,25 @@ struct Snapshot {
   std::string title;
   std::string status;  ///< What is being done, or how it ended.
   Activity activity = Activity::designing;
-  std::array<std::optional<ShownGrid>, kStageNames.size()> stages;  ///< But sampling.
-  std::shared_ptr<const MeshSampling> sampling;                     ///< Of meshes.
-  ShownStage newest = ShownStage::target;                           ///< That the run has reached.
+  std::array<std::optional<ShownGrid>, kStageNames.size()>
+      stages;                                       ///< Without sampling, which has no grid.
+  std::shared_ptr<const MeshSampling> sampling;     ///< None but for meshes.
+  ShownStage newest = ShownStage::target;           ///< The stage that the run has reached.
   std::shared_ptr<const Eigen::Matrix3Xd> targets;  ///< 3 x layerVertexCount; null without target.
-  Eigen::AlignedBox3d extent;                       ///< Of all that is shown; may be empty.
-  View view = kPatchView;                           ///< To begin with.
+  Eigen::AlignedBox3d extent;  ///< Bounding box of all that is shown; may be empty.
+  View view = kPatchView;      ///< To begin with.
   double maxShrinkage = 1;
   std::vector<Knob> knobs;
-  std::vector<ConvergenceSample> history;  ///< Of the stage that is solved, or was last.
+  std::vector<ConvergenceSample> history;  ///< Samples of the stage that is solved, or was last.
   std::string figures;                     ///< The report's table.
   std::vector<std::string> notices;
   std::optional<std::string> problem;
-  std::string message;  ///< Of the last command: what was written where.
+  std::string message;  ///< What the last command wrote where.
   bool canUndo = false;
   bool canRedo = false;
   bool isOutdated = false;  ///< The scene file has changed on disk.
   long runs = 0;            ///< Counts the designs.
-  int strutCount = 0;       ///< Of the design.
+  int strutCount = 0;       ///< Struts of the designed grid.
 };
 
 /// A scene that is designed and solved on a thread of its own while a window looks on. All

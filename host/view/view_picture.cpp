@@ -6,7 +6,7 @@
 namespace morphgrid {
 namespace {
 
-constexpr int kPictureSamples = 4;  // Of a pixel.
+constexpr int kPictureSamples = 4;  // Samples a pixel.
 
 Image drawOffScreen(const Device& device, const DrawList& list, const SceneSize& size,
                     const Camera& camera) {

@@ -45,7 +45,8 @@ class Window {
 
   /// Handles events; waits up to so many seconds for one where none is there.
   void handleEvents(double patience);
-  /// Of the last events. Dear ImGui of this version misses keys that go up before its next frame.
+  /// Keys of the last events. Dear ImGui of this version misses keys that go up before its next
+  /// frame.
   const std::vector<KeyPress>& keys() const { return keys_; }
   /// Ends a wait for events; from any thread.
   static void wake();

@@ -9,7 +9,7 @@ struct Edge {
   Arm arm;
   Squared square;    // |e|^2
   float halfSquare;  // |e|^2 / 2, but never 0: what divides.
-  vec3 change;       // Of the arm by a motion z, for products of a Hessian with z.
+  vec3 change;       // Change of the arm under a motion z, for products of a Hessian with z.
   float along;       // arm . change
 };
 

@@ -12,7 +12,7 @@ const float kLeastHalfWidth = 0.75;  // Pixels: anything thinner breaks up.
 
 struct Strut {
   ivec3 lattice;  // The vertex that it leaves.
-  int index;      // Of that vertex.
+  int index;      // Index of that vertex.
   vec3 start;
   vec3 arm;
 };

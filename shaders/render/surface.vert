@@ -55,7 +55,7 @@ vec3 pointAt(ivec3 vertex) {
   return vec3(texelFetch(positions, vertexIndex(push.size, vertex)).xyz);
 }
 
-// Of the middle layer, or of the middle two.
+// A point of the middle layer, or half way between the middle two.
 vec3 middlePoint(ivec2 drawn) {
   ivec2 column = columnAt(drawn);
   int layers = push.size.z;

@@ -15,8 +15,8 @@ const ivec2 kCorners[kVerticesPerTubeSide] =
 
 const float kSideAngle = 6.28318530718 / float(kTubeSides);
 
-// Of unit length, at right angles to the axis and to where the eye is: a prism that has a corner there is
-// as wide as the tube.
+// A vector of unit length at right angles to the axis and to where the eye is: a prism with a
+// corner there is as wide as the tube.
 vec3 sideOf(Strut strut, vec3 axis) {
   vec3 sideways = cross(axis, normalize(push.eye - strut.start));
   if (length(sideways) < 1e-4) {  // The eye is on the axis.

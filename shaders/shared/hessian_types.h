@@ -23,7 +23,7 @@ CONSTANT uint kBindingSums = 13u;  // buffer, one vec4: energy and |g|^2 as pair
 // product, and take twice as long to compile.
 CONSTANT uint kHessianBlockV = 1u;
 CONSTANT uint kReductionInvocations = 128u;
-// Of kernels that need no neighbours.
+// Invocations a workgroup in kernels that need no neighbours.
 CONSTANT uint kVertexInvocations = 128u;
 
 struct HessianPush {

@@ -41,7 +41,7 @@ CONSTANT uint kBindingCoarsestInverse = 61u;  // texels, see coarsest_solve.comp
 struct SmoothingPush {
   ivec2 size;    // Points, see topology.h; so below.
   float weight;  // omega
-  int firstRow;  // Of the points dispatched, see point_rows.glsl; so below.
+  int firstRow;  // First row of the points dispatched, see point_rows.glsl; so below.
 };
 
 struct TransferPush {

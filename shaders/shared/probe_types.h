@@ -13,8 +13,8 @@ CONSTANT uint kBindingSource = 0u;       // texels, vec4
 CONSTANT uint kBindingDestination = 1u;  // buffer, vec4
 
 CONSTANT uint kProbeInvocations = 128u;
-CONSTANT uint kProbeSteps = 256u;   // Of arithmetic.comp, in each invocation.
-CONSTANT uint kFlopsPerStep = 32u;  // Of arithmetic.comp: four vec4, multiplied and added.
+CONSTANT uint kProbeSteps = 256u;   // Steps of arithmetic.comp in each invocation.
+CONSTANT uint kFlopsPerStep = 32u;  // In arithmetic.comp: four vec4, multiplied and added.
 
 #ifdef __cplusplus
 }  // namespace morphgrid

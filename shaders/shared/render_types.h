@@ -53,7 +53,7 @@ struct StrutPush {
   float halfWidth;       // of a strut, in spacings
   vec3 towardsLight;     // local, unit length
   float resolution;      // Spacings per step of the fixed-point positions.
-  ivec3 size;            // Of the grid, see topology.h.
+  ivec3 size;            // Vertices of the grid, see topology.h.
   int direction;         // 0, 1, 2: the struts to +u, +v, +w.
   float restResolution;  // Spacings per step of the fixed-point rest lengths.
   float pixelSize;       // What a pixel covers at a distance of 1.
@@ -66,9 +66,9 @@ struct SurfacePush {
   float resolution;   // Spacings per step of the fixed-point positions.
   vec3 towardsLight;  // local, unit length
   int refine;         // Quads along each side of a drawn cell.
-  ivec3 size;         // Of the grid, see topology.h.
+  ivec3 size;         // Vertices of the grid, see topology.h.
   int isolineStride;  // Drawn cells from one isoline to the next.
-  ivec2 drawnSize;    // Of the lattice of every n-th vertex along u and v, and the last.
+  ivec2 drawnSize;    // Points of the lattice of every n-th vertex along u and v, and the last.
   int stride;         // n
 };
 
@@ -78,7 +78,7 @@ struct SamplingPush {
   vec3 eye;           // local
   float pixelSize;    // What a pixel covers at a distance of 1.
   vec3 towardsLight;  // local, unit length
-  float radius;       // Of a ball; of a spline, half its width.
+  float radius;       // Radius of a ball, half the width of a spline.
   float lift;         // How far towards the eye it is drawn, so that the mesh does not cover it.
   int countU;         // Rays.
   int countV;

@@ -59,7 +59,7 @@ CONSTANT uint kConstantMeasures = 3u;          // bool, of the sweep
 // What every walk through the columns (columns.glsl) needs. Lengths are in units of the spacing,
 // energies in stiffness x spacing^2.
 struct GridPush {
-  ivec3 size;            // Of the grid, see topology.h.
+  ivec3 size;            // Vertices of the grid, see topology.h.
   float resolution;      // Spacings per step of the fixed-point positions, a power of two.
   float restResolution;  // Spacings per step of the fixed-point rest lengths, a power of two.
   float angleWeight;
@@ -79,7 +79,7 @@ struct ControlPush {
 };
 
 struct SolverState {
-  uint sweepsSinceRestart;  // Of the Chebyshev acceleration.
+  uint sweepsSinceRestart;  // Sweeps since the Chebyshev acceleration last restarted.
   uint sampleCount;
   uint done;  // 1 once the residual is below the tolerance: sweeps then change nothing.
   float tolerance;

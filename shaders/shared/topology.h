@@ -72,7 +72,7 @@ MORPHGRID_INLINE bool hasCorner(ivec3 size, ivec3 a, ivec3 b) {
   return hasSpan(size, min(a, b), max(a, b));
 }
 
-// Of the grid, or of a hole: not all four cells around the column exist.
+// Whether the column is on the border of the grid or of a hole: not all four cells around it exist.
 MORPHGRID_INLINE bool isOnBorder(ivec3 size, ivec2 column) {
   return !(hasCell(size, column) && hasCell(size, column - ivec2(1, 0)) &&
            hasCell(size, column - ivec2(0, 1)) && hasCell(size, column - ivec2(1, 1)));

@@ -93,7 +93,7 @@ void addVerticalFace(float share, int layer) {
   addWithinColumns(share * c.weight, sum(c.apex, c.next), c.previous);
 }
 
-// Of the strut that leaves vertex `from` along an axis, with the damping.
+// The block of the strut that leaves vertex `from` along an axis, with the damping.
 mat3 strutBlock(Edge e, int from, int axis) {
   Spring spring = Spring(imageLoad(restLengths, from)[axis], push.grid.restResolution,
                          imageLoad(stiffnesses, from)[axis]);

@@ -4,8 +4,9 @@ struct Symmetric {
   vec3 off;  // yz, xz, xy
 };
 
-// By L D L^T without pivoting: the inverse is the sum of m m^T / pivot over the rows m of L^-1. A pivot
-// that is not above its `least` counts as absent: its row and column of the inverse are zero.
+// Inverts by L D L^T without pivoting: the inverse is the sum of m m^T / pivot over the rows m of
+// L^-1. A pivot that is not above its `least` counts as absent: its row and column of the inverse
+// are zero.
 Symmetric inverseOf(Symmetric a, vec3 least) {
   float px = a.diagonal.x;
   float ix = px > least.x ? 1.0 / px : 0.0;

@@ -15,7 +15,7 @@ ivec2 finePointOf(ivec2 coarse) { return min(2 * coarse, push.fineSize - 1); }
 // The first of the 2 x 2 coarse points around a fine one.
 ivec2 firstCoarse(ivec2 fine) { return min(fine / 2, push.coarseSize - 2); }
 
-// Of the second coarse point in each direction; those of the first are the rest to 1.
+// The shares of the second coarse point in each direction; those of the first are the rest to 1.
 vec2 secondShares(ivec2 fine) {
   ivec2 first = finePointOf(firstCoarse(fine));
   ivec2 second = finePointOf(firstCoarse(fine) + 1);

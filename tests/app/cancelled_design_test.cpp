@@ -10,7 +10,8 @@ namespace {
 struct DesignCase {
   std::string scene;
   std::vector<std::string> overrides;
-  int lines;  ///< Of the net, in both directions: it is to ask at least once for each.
+  int lines;  ///< Lines of the net in both directions: the design is to look at least once a line
+              ///< whether to go on.
 };
 
 class CancelledDesign : public testing::TestWithParam<DesignCase> {

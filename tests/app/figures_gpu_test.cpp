@@ -21,7 +21,7 @@ class Figures : public testing::Test {
   std::string path(const std::string& name) const { return folder_ / "made" / name; }
   bool exists(const std::string& name) const { return std::filesystem::exists(path(name)); }
 
-  /// Of a small grid, in small pictures.
+  /// Runs `figures` on a small grid, with small pictures.
   ProcessResult figures(const std::string& scene, const Arguments& more,
                         const Arguments& environment = {}, double interruptAfterSeconds = 0) const {
     Arguments arguments{"figures", sourceFolder() / "scenes" / (scene + ".toml"),
@@ -32,7 +32,7 @@ class Figures : public testing::Test {
     return runMorphgrid(arguments, environment, interruptAfterSeconds);
   }
 
-  /// Of a PNG file, from its header.
+  /// The size of a PNG file in pixels, from its header.
   std::pair<int, int> sizeOf(const std::string& name) const {
     const std::string bytes = readFile(path(name));
     const auto number = [&](std::size_t at) {

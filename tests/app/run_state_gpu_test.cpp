@@ -19,7 +19,7 @@ class RunStateCommands : public testing::Test {
  protected:
   std::string path(const std::string& name) const { return folder_ / name; }
 
-  /// Of a small grid, in small pictures. Returns the exit code.
+  /// Runs a command on a small grid, with small pictures. Returns the exit code.
   int run(const std::string& command, const std::string& scene, const Arguments& more) const {
     Arguments arguments{command, sourceFolder() / "scenes" / (scene + ".toml"), "--quiet"};
     for (const char* value : {"output.width=160", "output.height=120"}) {

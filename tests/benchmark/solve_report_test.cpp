@@ -10,7 +10,7 @@ namespace {
 using testing::ContainsRegex;
 using testing::HasSubstr;
 
-/// Of three layers; multigrid takes so many seconds and, a cycle an energy, cycles.
+/// A grid of three layers that multigrid solves in so many seconds and in a cycle for each energy.
 Comparison solved(const char* name, int verticesU, int verticesV, double seconds,
                   std::initializer_list<double> energies) {
   return {name, {verticesU, verticesV, 3}, {}, {{"multigrid", {runOf(seconds, energies)}}}};

@@ -10,7 +10,7 @@ TEST(BoundingDiagonal, IsThatOfTheAxisParallelBox) {
   points << 1, 4, 2,  //
       5, 5, 9,        //
       -2, 0, 10;
-  EXPECT_DOUBLE_EQ(boundingDiagonal(points), 13);  // Of 3 x 4 x 12.
+  EXPECT_DOUBLE_EQ(boundingDiagonal(points), 13);  // The box is 3 x 4 x 12.
   EXPECT_EQ(boundingDiagonal(points.leftCols(1)), 0);
 }
 

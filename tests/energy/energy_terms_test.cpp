@@ -15,9 +15,10 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::Vector3d;
 
-constexpr double kLeast = 1e-10;  // Of edges of about length 1.
+constexpr double kLeast = 1e-10;  // Square below which edges of about length 1 count as 0.
 
-/// By differences of fourth order; `at` returns a matrix or a number for an argument near 0.
+/// The derivative at 0 by differences of fourth order; `at` returns a matrix or a number for an
+/// argument near 0.
 template <typename At>
 auto derivative(const At& at) {
   constexpr double kStep = 1e-3;

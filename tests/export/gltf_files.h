@@ -47,7 +47,8 @@ inline const tinygltf::Primitive& onlyPrimitive(const tinygltf::Model& model,
   throw std::runtime_error("no node " + name);
 }
 
-/// Of as many rows as the accessor's type has.
+/// Expects an accessor's bounds, a number for each component of its type, to be those of its
+/// values.
 inline void expectBounds(const tinygltf::Model& model, int accessorIndex) {
   const tinygltf::Accessor& accessor = model.accessors.at(accessorIndex);
   const int rows = tinygltf::GetNumComponentsInType(accessor.type);

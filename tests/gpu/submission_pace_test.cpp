@@ -94,7 +94,7 @@ TEST(SubmissionPace, GivesWayToAFrame) {
   EXPECT_TRUE(isDrawn);
   drawing.join();
   pace.beginFrame();
-  pace.giveWay();  // Of a frame that never ends: returns all the same.
+  pace.giveWay();  // The frame never ends; this returns all the same.
 }
 
 }  // namespace

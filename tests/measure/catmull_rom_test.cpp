@@ -86,8 +86,8 @@ TEST(CatmullRomSpline, PointsThatCoincideDoNotBend) {
 
 /// Errors of kappa on x = exp(y), the largest of inner segments and of the two at the ends.
 struct CurvatureErrors {
-  double sample = 0;  ///< Of single samples, in inner segments.
-  double mean = 0;    ///< Of means over inner segments.
+  double sample = 0;  ///< Error of single samples in inner segments.
+  double mean = 0;    ///< Error of means over inner segments.
   double endMean = 0;
 };
 

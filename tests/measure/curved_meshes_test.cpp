@@ -21,7 +21,7 @@ struct KnownSurface {
   const char* name;
   Parametrisation point;  ///< Over [-1, 1]^2, covers the box.
   double longestIsolineU;
-  std::function<double(double, double)> curvatureU;  ///< Of y and z.
+  std::function<double(double, double)> curvatureU;  ///< A function of y and z.
   std::function<double(double, double)> curvatureV;
 };
 
@@ -71,7 +71,7 @@ TriangleMesh triangulate(const Parametrisation& point, int cells) {
 }
 
 struct Errors {
-  double length;     ///< Of the longest isoline along u.
+  double length;     ///< Error of the length of the longest isoline along u.
   double curvature;  ///< RMS over the struts that are not at the box's edge.
 };
 

@@ -37,7 +37,7 @@ Camera cameraTowards(const Eigen::Vector3d& target, const Eigen::Vector3d& direc
   return cameraAt(target + distance * back, rotation, 1, distance / 100, 3 * distance);
 }
 
-/// Of a length that lies at right angles to the sight, so far from the eye.
+/// How many pixels a length takes that lies at right angles to the sight, so far from the eye.
 double pixelsOf(double length, double distance) {
   return length / distance / viewSlope(1) * kPictureSide / 2;
 }

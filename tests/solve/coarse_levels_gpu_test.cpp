@@ -19,7 +19,7 @@ using Eigen::Matrix3Xd;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double kRounding = 1e-5;  // Of single precision, in sums of some hundred terms.
+constexpr double kRounding = 1e-5;  // Rounding of single precision in sums of some hundred terms.
 
 /// Bent over a saddle and shaken; a single layer stays in its plane.
 StrutGrid unevenGrid(const GridShape& shape) {
@@ -81,7 +81,7 @@ std::vector<vec4> packVertices(const VectorXd& values) {
   return packed;
 }
 
-/// By power iteration, from below.
+/// Approaches it by power iteration, from below.
 double spectralRadius(const MatrixXd& matrix) {
   VectorXd x = randomVector(matrix.cols(), 4).normalized();
   double radius = 0;
@@ -144,7 +144,7 @@ struct Levels {
   Buffer correction = vertexVector(device, grid.shape);
   CoarseLevels coarse{device, deviceGrid, deviceGrid.positions(), residual, correction};
   std::vector<MatrixXd> prolongations;  ///< [n] leads from levels()[n] to the one above.
-  std::vector<Matrix3Xd> centres;       ///< Of levels()[n], in spacings.
+  std::vector<Matrix3Xd> centres;       ///< Points of levels()[n], in spacings.
 };
 
 class CoarseLevelsTest : public DeviceTest, public testing::WithParamInterface<GridShape> {};

@@ -47,7 +47,7 @@ struct ReadByHand {
     const std::size_t end = header.at(name).at("data_offsets").at(1);
     return std::string_view(data).substr(begin, end - begin);
   }
-  /// Of an F64 array, in a row.
+  /// A number of an F64 array, by its place in the file.
   double number(const std::string& name, std::size_t index) const {
     return std::bit_cast<double>(littleEndian(bytesOf(name).substr(8 * index, 8)));
   }
@@ -64,7 +64,8 @@ std::map<std::string, std::string> documented() {
   return rows;
 }
 
-/// Of "F64 `[L, V-1, 3]`", for 3 layers of 4 x 3 vertices. N: as many as there are.
+/// The extents that "F64 `[L, V-1, 3]`" means for 3 layers of 4 x 3 vertices. N: as many as there
+/// are.
 std::vector<std::string> extentsOf(const std::string& typeAndShape) {
   static const std::map<std::string, std::string> sizes{{"L", "3"},   {"V", "3"},   {"U", "4"},
                                                         {"L-1", "2"}, {"V-1", "2"}, {"U-1", "3"}};

@@ -69,7 +69,7 @@ TEST(LargestBoxWithoutHoles, FindsNothingWhereAllMiss) {
   EXPECT_FALSE(largestBoxWithoutHoles(hits, kAnySlope));
 }
 
-/// By trying all boxes.
+/// Finds it by trying all boxes.
 int largestAreaOfAll(const RayHits& hits) {
   int largest = 0;
   for (int firstV = 0; firstV < hits.countV; ++firstV) {
@@ -136,7 +136,7 @@ TEST(SuggestBox, TakesAlmostAllOfASheet) {
       heightField({-3, 2, 6, 4}, 5, 5, [](double y, double z) { return 0.1 * y * z; });
   const auto box = verifiedSuggestion(sheet, 5);
   ASSERT_TRUE(box);
-  const double margin = 0.004;  // Of the extent: room for rounding what is printed.
+  const double margin = 0.004;  // Share of the extent: room for rounding what is printed.
   EXPECT_GE(box->uStart, -3 + margin * 6);
   EXPECT_LE(box->uStart + box->uLength, 3 - margin * 6);
   EXPECT_GE(box->vStart, 2 + margin * 4);

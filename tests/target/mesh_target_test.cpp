@@ -43,7 +43,7 @@ TEST_F(MeshOnDisk, IsLoadedAndSurveyed) {
   ASSERT_TRUE(target->meshSampling());
   EXPECT_EQ(target->meshSampling()->mesh.triangles.cols(), 800);
   EXPECT_EQ(target->meshSampling()->hits.countU, 21);
-  EXPECT_NEAR(target->survey().longestIsolineU, 2.052, 0.002);  // Of the parabola y^2 / 5.
+  EXPECT_NEAR(target->survey().longestIsolineU, 2.052, 0.002);  // A parabola: y^2 / 5.
   EXPECT_TRUE(target->curvatureNoise());
   EXPECT_EQ(target->view().direction, kMeshView.direction);
 }

@@ -76,7 +76,7 @@ TEST(DistanceColors, LegendTellsTheLargestInTheScenesUnitAndOfTheDiagonal) {
   const ColorShares colors = computeColors(Coloring::distance, result.shown, result.snapshot);
   const LegendMark& last = colors.legend.marks.back();
   EXPECT_EQ(last.secondLine, "5");
-  EXPECT_EQ(last.text, "91 %");  // Of the diagonal of 2 x 1 x 5.
+  EXPECT_EQ(last.text, "91 %");  // Percent of the diagonal of 2 x 1 x 5.
 }
 
 TEST(DistanceColors, OfAPerfectResultAreThoseOfNoDistance) {

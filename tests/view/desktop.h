@@ -45,7 +45,7 @@ class Desktop {
   void click(int x, int y) const;
   /// Runs a shell command on this display; returns what it wrote.
   std::string run(const std::string& command) const;
-  /// Of all of the screen.
+  /// Saves a picture of the whole screen; returns its file.
   std::filesystem::path screenshot(const std::string& name) const;
 
  private:

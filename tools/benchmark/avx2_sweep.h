@@ -40,7 +40,7 @@ class Avx2Sweep {
   Eigen::Vector3d origin_;
   int pitch_;  ///< Floats from one row to the next, with room for a vector before and after.
   Fields now_, next_;
-  float momentum_ = 0;  ///< Of the present sweep, as in chebyshevMomentum() of sweep.glsl.
+  float momentum_ = 0;  ///< Momentum of the present sweep, as in chebyshevMomentum() of sweep.glsl.
   std::vector<float> restU_, restV_, restW_, stiffnessU_, stiffnessV_, stiffnessW_, stepPerForce_;
 };
 

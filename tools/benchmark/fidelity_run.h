@@ -11,7 +11,7 @@ namespace morphgrid {
 struct FidelityRun {
   RunRecord record;
   double maxShrinkage;       ///< What the material can lose, a share.
-  Eigen::Matrix3Xd targets;  ///< Of the middle layer's vertices.
+  Eigen::Matrix3Xd targets;  ///< Where the middle layer's vertices should lie.
   Eigen::Matrix3Xd middle;   ///< Those vertices as they come to rest, brought to the targets.
   View view;                 ///< Where pictures of it are taken from.
 };

@@ -35,7 +35,7 @@ struct Result {
   std::string name;
   std::string ending;  ///< Why the solve ended, or could not begin.
   bool converged = false;
-  bool refused = false;  ///< By the design.
+  bool refused = false;  ///< The design refused the grid.
   int vertices = 0;
   long cycles = 0;             ///< On the finest grid, or worth as much.
   long cyclesToMillionth = 0;  ///< Until the energy stays within 1e-6 of the lowest known.

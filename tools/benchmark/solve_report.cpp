@@ -52,7 +52,8 @@ double secondsOf(const MethodRuns& one, double leastEnergy) {
   return arrival ? arrival->seconds : one.wallSeconds();
 }
 
-/// Of `method`'s time; the peer that was cut short took longer than what is counted.
+/// Multigrid's time as a share of `method`'s; a peer that was cut short took longer than what is
+/// counted.
 std::optional<double> shareOf(const Comparison& comparison, const std::string& method) {
   const MethodRuns* multigrid = comparison.find("multigrid");
   const MethodRuns* peer = comparison.find(method);

@@ -14,8 +14,9 @@ struct Bounds {
 /// What multigrid is to reach on a problem, from flat to kEnergyError.
 struct SolveTarget {
   std::optional<Bounds> seconds;
-  std::optional<Bounds> shareOfReference;  ///< Of the time that `reference` takes in the same run.
-  std::optional<Bounds> cycles;            ///< V-cycles, in equivalents on the finest grid.
+  /// Share of the time that `reference` takes in the same run.
+  std::optional<Bounds> shareOfReference;
+  std::optional<Bounds> cycles;  ///< V-cycles, in equivalents on the finest grid.
 };
 
 /// Empty when nothing is wanted of the problem.

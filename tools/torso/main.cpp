@@ -23,7 +23,7 @@ using Eigen::Vector3d;
 
 /// The whole body with air around it, in cm.
 const Eigen::AlignedBox3d kBox(Vector3d(-31, -17, -15), Vector3d(31, 80, 14));
-constexpr double kSpacing = 0.6;  ///< Of the lattice, in cm.
+constexpr double kSpacing = 0.6;  ///< Spacing of the lattice, in cm.
 constexpr int kRefinements = 2;   ///< Each halves the edges.
 
 /// Values grow inwards: vtkFlyingEdges3D turns triangles to face smaller ones.

@@ -26,7 +26,7 @@ struct Part {
   const char* name;
   std::variant<Ellipsoid, Capsule> shape;
   double blend;  ///< How far the skin rounds the crease where this part meets those before it, cm.
-  Side side = Side::middle;  ///< Of both: this is the one at x > 0.
+  Side side = Side::middle;  ///< Where it is `both`, the shape is that at x > 0.
   Effect effect = Effect::add;
 };
 
