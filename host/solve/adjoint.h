@@ -11,7 +11,7 @@ struct AdjointOptions {
 /// lambda with H lambda = right side, about.
 struct Adjoint {
   Eigen::Matrix3Xd lambda;  ///< 3 x vertexCount, in the unit of the right side over stiffness.
-  int products = 0;         ///< With H.
+  int products = 0;         ///< Products with H.
   double residual = 0;      ///< |residual| / |right side|
   bool converged = false;   ///< False too when H is not positive: no minimum, or a free motion.
 };

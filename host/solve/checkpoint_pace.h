@@ -9,7 +9,7 @@ namespace morphgrid {
 template <typename Checkpoint>
 class CheckpointPace {
  public:
-  /// Keeps a reference to who gets them, who may be nobody.
+  /// Keeps a reference to `take`, which gets the checkpoints; may be empty.
   explicit CheckpointPace(const std::function<void(Checkpoint)>& take) : take_(take) {}
 
   /// To be called after every step; make() returns the checkpoint. last: the work ends here; what

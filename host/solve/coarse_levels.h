@@ -17,7 +17,7 @@ class CoarseLevels {
  public:
   /// positions: where H is taken, as DeviceGrid::positions(); to be left alone from a build() to
   /// the last of its cycles. residual, correction: vec4 a vertex. All three with the usage
-  /// eStorageTexelBuffer, positions with eTransferSrc and correction with eStorageBuffer too. Keeps
+  /// storageTexelBuffer, positions with transferSrc and correction with storageBuffer too. Keeps
   /// references. Throws DeviceError when the device's limits are exceeded.
   CoarseLevels(const Device& device, const DeviceGrid& grid, const Buffer& positions,
                const Buffer& residual, const Buffer& correction);

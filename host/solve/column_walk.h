@@ -12,7 +12,7 @@ namespace morphgrid {
 /// takes twice as long to compile, and serves no other number of layers.
 enum class LayerLoop { unrolled, rolled };
 
-/// For a kernel that runs a few hundred times: what takes the shorter time in all.
+/// The choice that takes less time for a kernel that runs a few hundred times, compiling included.
 LayerLoop layerLoopFor(const GridShape& shape);
 
 /// How kernels that include shaders/solve/columns.glsl are specialised and dispatched for a grid.

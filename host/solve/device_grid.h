@@ -36,7 +36,8 @@ class DeviceGrid {
   /// before and after a solve.
   const Buffer& positions() const { return positions_; }
   const Buffer& previousPositions() const { return previousPositions_; }
-  /// Whether positions() holds the newest state, or previousPositions(): for who looks on.
+  /// Whether positions() holds the newest state, or previousPositions(): for those who draw a solve
+  /// that goes on.
   bool newestIsFirst() const { return newestIsFirst_; }
   void noteNewest(bool isFirst) { newestIsFirst_ = isFirst; }
   /// ivec4 a vertex: rest lengths of the struts to +u, +v, +w in fixed point; step per force.
@@ -51,7 +52,8 @@ class DeviceGrid {
   void uploadPositions(const Eigen::Matrix3Xd& positions);
   void uploadRest(const StrutValues& rest);
   Eigen::Matrix3Xd downloadPositions() const { return downloadPositions(positions_); }
-  /// From another buffer of such positions. Uploading them again gives the same bits.
+  /// Positions, 3 x vertexCount, from another buffer of them. Uploading them again gives the same
+  /// bits.
   Eigen::Matrix3Xd downloadPositions(const Buffer& from) const;
 
  private:

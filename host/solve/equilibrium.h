@@ -27,9 +27,9 @@ enum class StopReason {
 std::string toString(StopReason reason);
 
 struct ConvergenceSample {
-  long iteration;
-  double energy;
-  double residual;
+  long iteration;           ///< Multigrid: V-cycles, those of coarser grids by their share.
+  double energy;            ///< In stiffness x the square of the scene's unit of length.
+  double residual;          ///< See StrutEnergy::residual().
   double seconds;           ///< Since the stage began.
   double gridShare = 1;     ///< Vertices over those of the grid: below 1 on coarser grids.
   double secondsLeft = -1;  ///< Estimate; negative: unknown.
@@ -39,8 +39,8 @@ struct ConvergenceSample {
 struct SolveCheckpoint {
   int phase = 0;               ///< Multigrid: which nested grid; Jacobi: which load step.
   Eigen::Matrix3Xd positions;  ///< 3 x vertexCount of the phase's grid, in the scene's unit.
-  double iterations = 0;
-  double seconds = 0;
+  double iterations = 0;       ///< So far, as ConvergenceSample counts them.
+  double seconds = 0;          ///< Since the stage began.
   std::vector<ConvergenceSample> history;
 };
 
@@ -64,7 +64,7 @@ struct SolveOptions {
   /// Called with each coarser grid that is solved first, and with none when the grid itself begins;
   /// may be empty.
   std::function<void(std::shared_ptr<const DeviceGrid>)> onGrid;
-  /// Whether to end early, asked for often; may be empty: only Ctrl-C counts then.
+  /// Whether to end early, called often; may be empty: only Ctrl-C counts then.
   std::function<bool()> isCancelled;
   bool stopRequested() const { return interruptRequested() || (isCancelled && isCancelled()); }
   /// Where a solve of the same grid by the same method stood. Iterations and seconds count on from
@@ -78,9 +78,9 @@ struct Equilibrium {
   long iterations = 0;
   bool converged = false;
   StopReason reason = StopReason::iterationLimit;
-  double residual = 0;
-  double energy = 0;
-  double seconds = 0;
+  double residual = 0;  ///< See StrutEnergy::residual().
+  double energy = 0;    ///< In stiffness x the square of the scene's unit of length.
+  double seconds = 0;   ///< Since the stage began.
   std::vector<ConvergenceSample> history;
   std::optional<SmallestEigenvalue> smallestEigenvalue;  ///< On request.
 };

@@ -37,7 +37,7 @@ class JacobiSolver {
   };
 
   SweepKernels sweepKernels(ShaderCode spirv, const ColumnWalk& walk) const;
-  /// For devices with float64.
+  /// The kernels in double precision, for devices with float64.
   const SweepKernels& preciseSweeps();
   void record(const SweepKernels& kernels, int sweeps);
   void resetState(double tolerance);

@@ -28,7 +28,8 @@ class MultigridSolver {
   ~MultigridSolver();
   MultigridSolver(const MultigridSolver&) = delete;
 
-  /// With the rest lengths that are set; positions are those where the stage began.
+  /// The grid with the rest lengths that were set last; its positions are those where the stage
+  /// began.
   const StrutGrid& grid() const { return grid_; }
   const std::shared_ptr<DeviceGrid>& onDevice() const { return deviceGrid_; }
 
@@ -57,7 +58,7 @@ class MultigridSolver {
   /// Positions of a coarser grid's equilibrium, about.
   Eigen::Matrix3Xd solveCoarse(const StrutGrid& grid, SolveProgress& progress) const;
   StopReason solveFinest(std::size_t phase, const SolveOptions& options, SolveProgress& progress);
-  /// The present positions, seen by the host.
+  /// Energy and residual of the present positions, in double precision on the host.
   Equilibrium assess(StopReason reason, double tolerance) const;
 
   const Device& device_;

@@ -14,7 +14,7 @@ struct PointGrid {
   bool operator==(const PointGrid&) const = default;
 };
 
-/// As shaders know it: shared/topology.h.
+/// The size as the functions of shared/topology.h take it.
 inline ivec2 sizeOf(PointGrid points) { return {points.u, points.v}; }
 
 /// Chunks begin at every so many rows: with 16 bytes a point or a multiple, any device binds there.

@@ -19,7 +19,7 @@ class PreconditionedDescent {
   /// this precision it falls no further.
   bool iterate();
 
-  /// Those reached so far, 3 x vertexCount, in the scene's unit of length.
+  /// The positions reached so far, 3 x vertexCount, in the scene's unit of length.
   Eigen::Matrix3Xd positions() const {
     return grid_.downloadPositions(vectors_.currentPositions());
   }

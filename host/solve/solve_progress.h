@@ -45,7 +45,7 @@ class SolveProgress {
   /// meanStiffness: see StrutEnergy.
   void beginGrid(std::size_t n, double spacing, double meanStiffness);
 
-  /// A coarser grid, or none: the grid itself.
+  /// Reports which grid is solved now: a coarser one, or none for the grid itself.
   void tellGrid(std::shared_ptr<const DeviceGrid> grid) const;
 
   /// Energy of the grid begun last that is as good as none, as PreconditionedDescent::energy().
@@ -54,8 +54,8 @@ class SolveProgress {
     return descent.gradientNorm() * residualScale_;
   }
 
-  /// After a step on the grid begun last. Tells the world. Throws DeviceError when the energy is no
-  /// number.
+  /// Takes in a step on the grid begun last and reports it. Throws DeviceError when the energy is
+  /// no number.
   void add(const PreconditionedDescent& descent, const EnergyFall& fall);
 
   std::optional<StopReason> reasonToStop() const;

@@ -19,7 +19,7 @@ class VCycle {
 
   void record(CommandStream& stream) const;
 
-  /// At the positions of the last linearise().
+  /// The Hessian at the positions of the last linearise().
   GridHessian& hessian() { return hessian_; }
 
  private:
