@@ -25,7 +25,8 @@ constexpr std::uint64_t kPointTexels = (kStencilSize + 1) * kBlockTexels + 1 + 6
 
 // Grids, energy and checkpoint, as measured. Files to export take more, after the solve.
 constexpr std::uint64_t kHostBytesPerVertex = 1000;
-// Two lateral struts a vertex: ten pairs of L-BFGS, again in a checkpoint and in its file's bytes.
+// Two lateral struts a vertex: ten pairs of L-BFGS, again in a checkpoint and in the bytes of one
+// that is read.
 constexpr std::uint64_t kInverseHostBytesPerVertex = 1800;
 
 std::uint64_t vertices(const GridShape& shape) {
