@@ -1,11 +1,14 @@
 #include "solve/adjoint_solver.h"
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "shared/adjoint_types.h"
 #include "solve/adjoint_advance_comp.h"
 #include "solve/adjoint_direction_comp.h"
 #include "solve/adjoint_dots_comp.h"
+#include "solve/adjoint_scalars_comp.h"
 
 namespace morphgrid {
 
@@ -21,7 +24,9 @@ AdjointSolver::AdjointSolver(const Device& device, PreconditionedDescent& descen
       solution_(device, descent.shape().vertexCount()),
       product_(device, descent.shape().vertexCount()),
       sums_(device, reductionGroups(count_) * sizeof(vec2), BufferUsage::storageBuffer,
-            MemoryKind::host),
+            MemoryKind::device),
+      scalars_(device, sizeof(ConjugateScalars),
+               BufferUsage::storageBuffer | BufferUsage::transferDst, MemoryKind::host),
       multiplication_(descent.cycle().hessian().exactProduct(direction_, product_)),
       directionDots_(dots(direction_, product_)),
       remainderDots_(dots(remainder_, correction_)),
@@ -29,11 +34,17 @@ AdjointSolver::AdjointSolver(const Device& device, PreconditionedDescent& descen
                {{kBindingFirst, &direction_.texels()},
                 {kBindingSecond, &product_.texels()},
                 {kBindingSolution, &solution_.buffer()},
-                {kBindingRemainder, &remainder_.buffer()}},
+                {kBindingRemainder, &remainder_.buffer()},
+                {kBindingScalars, &scalars_}},
                sizeof(AdvancePush)),
       turn_(device, adjoint_direction_comp_spirv,
-            {{kBindingFirst, &correction_.texels()}, {kBindingSolution, &direction_.buffer()}},
+            {{kBindingFirst, &correction_.texels()},
+             {kBindingSolution, &direction_.buffer()},
+             {kBindingScalars, &scalars_}},
             sizeof(AdvancePush)),
+      updateScalars_(device, adjoint_scalars_comp_spirv,
+                     {{kBindingProducts, &sums_}, {kBindingScalars, &scalars_}},
+                     sizeof(ScalarsPush)),
       stream_(device) {}
 
 ComputeKernel AdjointSolver::dots(const VertexVector& first, const VertexVector& second) {
@@ -45,46 +56,33 @@ ComputeKernel AdjointSolver::dots(const VertexVector& first, const VertexVector&
           sizeof(DotsPush)};
 }
 
-void AdjointSolver::begin(const Matrix3Xd& rightSide) {
-  descent_.takeHessian();
-  remainder_.upload(device_, rightSide);
-  stream_.begin();
-  for (const Buffer* buffer : {&solution_.buffer(), &direction_.buffer(), &product_.buffer()}) {
-    stream_.clear(*buffer);
-  }
-  stream_.end();
-  stream_.submitAndWait();
+void AdjointSolver::recordScalars(const ComputeKernel& dots, std::uint32_t stage) {
+  const std::uint32_t groups = reductionGroups(count_);
+  stream_.dispatch(dots, DotsPush{count_, groups * kVectorInvocations}, groups);
+  stream_.dispatch(updateScalars_, ScalarsPush{groups, stage}, 1);
 }
 
-AdjointSolver::Products AdjointSolver::run() {
-  stream_.end();
-  stream_.submitAndWait();
-  Products total{0, 0};
-  for (const vec2& sum : sums_.mapped<vec2>()) {
-    total.mixed += sum.x;
-    total.squared += sum.y;
-  }
-  return total;
-}
-
-AdjointSolver::Products AdjointSolver::multiply(double share) {
-  const std::uint32_t groups = groupsFor(static_cast<int>(count_), kVectorInvocations);
-  stream_.begin();
-  stream_.dispatch(turn_, AdvancePush{count_, static_cast<float>(share)}, groups);
-  descent_.cycle().hessian().record(stream_, multiplication_);
-  stream_.dispatch(directionDots_, DotsPush{count_, reductionGroups(count_) * kVectorInvocations},
-                   reductionGroups(count_));
-  return run();
-}
-
-AdjointSolver::Products AdjointSolver::advance(double share) {
-  const std::uint32_t groups = groupsFor(static_cast<int>(count_), kVectorInvocations);
-  stream_.begin();
-  stream_.dispatch(advance_, AdvancePush{count_, static_cast<float>(share)}, groups);
+void AdjointSolver::recordCycle() {
   descent_.cycle().record(stream_);
-  stream_.dispatch(remainderDots_, DotsPush{count_, reductionGroups(count_) * kVectorInvocations},
-                   reductionGroups(count_));
-  return run();
+  recordScalars(remainderDots_, kScalarsOfRemainder);
+}
+
+void AdjointSolver::recordStart() {
+  for (const VertexVector* vector :
+       {&std::as_const(solution_), &direction_, &std::as_const(product_)}) {
+    stream_.clear(vector->buffer());
+  }
+  stream_.clear(scalars_);
+  recordCycle();
+}
+
+void AdjointSolver::recordStep() {
+  const std::uint32_t groups = groupsFor(static_cast<int>(count_), kVectorInvocations);
+  stream_.dispatch(turn_, AdvancePush{count_}, groups);
+  descent_.cycle().hessian().record(stream_, multiplication_);
+  recordScalars(directionDots_, kScalarsOfProduct);
+  stream_.dispatch(advance_, AdvancePush{count_}, groups);
+  recordCycle();
 }
 
 Adjoint AdjointSolver::solve(const Matrix3Xd& rightSide, const AdjointOptions& options) {
@@ -95,23 +93,34 @@ Adjoint AdjointSolver::solve(const Matrix3Xd& rightSide, const AdjointOptions& o
     result.converged = true;
     return result;
   }
-  begin(rightSide / scale);
-  Products remainder = advance(0);
-  const double first = remainder.squared;
-  double share = 0;
+  descent_.takeHessian();
+  remainder_.upload(device_, rightSide / scale);
+  const double norm = rightSide.norm() / scale;
+  const ConjugateScalars& scalars = scalars_.mapped<ConjugateScalars>().front();
   result.residual = 1;
+  // Waiting for the device takes longer than a product on a small grid: as many as the last solve
+  // took, but for one, go in one submission.
+  int batch = std::max(1, usualProducts_ - 1);
   while (result.products < options.productLimit && result.residual > options.tolerance) {
-    const double curvature = multiply(share).mixed;
-    ++result.products;
-    if (!(curvature > 0)) {
+    stream_.begin();
+    if (result.products == 0) {
+      recordStart();
+    }
+    batch = std::min(batch, options.productLimit - result.products);
+    for (int n = 0; n < batch; ++n) {
+      recordStep();
+    }
+    stream_.end();
+    stream_.submitAndWait();
+    if (scalars.isNotPositive != 0) {
       break;
     }
-    const double before = remainder.mixed;
-    remainder = advance(before / curvature);
-    share = remainder.mixed / before;
-    result.residual = std::sqrt(remainder.squared / first);
+    result.products += batch;
+    result.residual = std::sqrt(scalars.squared) / norm;
+    batch = 1;
   }
   result.converged = result.residual <= options.tolerance;
+  usualProducts_ = std::max(1, result.products);
   result.lambda = scale * solution_.download(device_);
   return result;
 }

@@ -18,17 +18,12 @@ class AdjointSolver {
   Adjoint solve(const Eigen::Matrix3Xd& rightSide, const AdjointOptions& options = {});
 
  private:
-  struct Products {
-    double mixed;    ///< first . second
-    double squared;  ///< first . first
-  };
-
   ComputeKernel dots(const VertexVector& first, const VertexVector& second);
-  void begin(const Eigen::Matrix3Xd& rightSide);
-  /// share x the last direction goes into the next one.
-  Products multiply(double share);
-  Products advance(double share);
-  Products run();
+  void recordStart();
+  /// One product with H and one cycle.
+  void recordStep();
+  void recordCycle();
+  void recordScalars(const ComputeKernel& dots, std::uint32_t stage);
 
   const Device& device_;
   PreconditionedDescent& descent_;
@@ -39,12 +34,15 @@ class AdjointSolver {
   VertexVector solution_;
   VertexVector product_;
   Buffer sums_;
+  Buffer scalars_;
   GridHessian::Step multiplication_;
   ComputeKernel directionDots_;
   ComputeKernel remainderDots_;
   ComputeKernel advance_;
   ComputeKernel turn_;
+  ComputeKernel updateScalars_;
   CommandStream stream_;
+  int usualProducts_ = 1;  ///< So many the last solve took.
 };
 
 }  // namespace morphgrid
