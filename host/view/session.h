@@ -72,7 +72,7 @@ struct Snapshot {
   std::string message;  ///< Of the last command: what was written where.
   bool canUndo = false;
   bool canRedo = false;
-  bool isOutdated = false;  ///< The scene file has changed on disk.
+  bool isOutdated = false;  ///< A file that the scene is read from has changed on disk.
   long runs = 0;            ///< Counts the designs.
   int strutCount = 0;       ///< Of the design.
 };
