@@ -99,6 +99,18 @@ SceneDesign designScene(const Scene& scene) {
   return designScene(scene, loadTarget(scene, cancellationOf(scene)));
 }
 
+std::shared_ptr<const SceneDesign> DesignKeeper::designOf(
+    const Scene& scene, const std::shared_ptr<const Target>& target) {
+  // Bend angles have no target: they are the surface's own keys.
+  if (!design_ || design_->target != target || surface_ != scene.surface ||
+      request_ != scene.design) {
+    design_ = std::make_shared<const SceneDesign>(designScene(scene, target));
+    surface_ = scene.surface;
+    request_ = scene.design;
+  }
+  return design_;
+}
+
 RunRecord recordOf(const Scene& scene, const SceneDesign& designed) {
   const GridDesign& design = designed.design;
   RunRecord record;

@@ -25,6 +25,19 @@ SceneDesign designScene(const Scene& scene, const std::shared_ptr<const Target>&
 /// Loads the target, too.
 SceneDesign designScene(const Scene& scene);
 
+/// Keeps the last design while what it comes from stays.
+class DesignKeeper {
+ public:
+  /// As designScene().
+  std::shared_ptr<const SceneDesign> designOf(const Scene& scene,
+                                              const std::shared_ptr<const Target>& target);
+
+ private:
+  SurfaceRequest surface_;
+  DesignRequest request_;
+  std::shared_ptr<const SceneDesign> design_;
+};
+
 /// What there is to report before anything is solved.
 RunRecord recordOf(const Scene& scene, const SceneDesign& designed);
 

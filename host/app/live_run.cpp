@@ -7,7 +7,6 @@
 #include "app/device_capacity.h"
 #include "app/pipeline.h"
 #include "app/scene_knobs.h"
-#include "app/scene_sources.h"
 #include "core/error.h"
 
 namespace morphgrid {
@@ -15,8 +14,7 @@ namespace {
 
 constexpr std::chrono::milliseconds kFilePatience(500);
 
-void requireRoom(const Device& device, const Scene& scene, const GridDesign& design) {
-  const GridShape shape{design.nodesU + 1, design.nodesV + 1, design.layers};
+void requireRoom(const Device& device, const Scene& scene, const GridShape& shape) {
   if (const auto reason = explainOverflow(shape, workloadOf(scene), capacityOf(device))) {
     throw InputError(fmt::format("{}: {}", scene.file.string(), *reason));
   }
@@ -30,8 +28,12 @@ LiveRun::LiveRun(std::shared_ptr<Device> device, LiveRunOptions options)
       board_(options_.wake),
       edits_(options_.scene, options_.overrides),
       display_(*device_, board_),
-      sources_{options_.scene},
-      worker_([this] { work(); }) {}
+      sources_{options_.scene.file} {
+  if (options_.stored) {
+    startNear(options_.stored->run().simulation);
+  }
+  worker_ = std::thread([this] { work(); });
+}
 
 LiveRun::~LiveRun() {
   {
@@ -95,6 +97,7 @@ void LiveRun::redo() {
 
 void LiveRun::saveScene() {
   try {
+    const std::lock_guard lock(mutex_);
     tell(fmt::format("scene saved: {}", edits_.save().string()));
   } catch (const InputError& error) {
     tell(error.what());
@@ -156,24 +159,63 @@ void LiveRun::attemptRun(const Overrides& overrides, Start start) {
     run(overrides, start);
   } catch (const Cancelled&) {
   } catch (const std::exception& error) {
+    solvers_.clear();  // They may have been left in the middle of something.
     display_.showFailure(error.what());
   }
 }
 
 void LiveRun::run(const Overrides& overrides, Start start) {
   result_.reset();
+  readStateAgain();
   watchSources(overrides);
-  display_.showBegin();
+  if (start != Start::flat && options_.stored && options_.stored->isOf(overrides)) {
+    return showStored();
+  }
+  display_.showBegin("designing");
   Scene scene = loadScene(options_.scene, overrides);
   scene.solve.isCancelled = [this] { return isCancelled(); };
   files_ = scene.files;
   display_.showScene(scene);
   // Turning knobs meanwhile does not end it: they leave the target as it is.
   const Cancellation ending([this] { return isEnding(); });
-  const SceneDesign designed = designScene(scene, options_.targets.targetOf(scene, ending));
-  requireRoom(*device_, scene, designed.design);
-  display_.showDesign(scene, designed);
-  simulate(std::move(scene), designed, start);
+  const auto designed = designs_.designOf(scene, options_.targets.targetOf(scene, ending));
+  makeRoom(scene, designed->design);
+  display_.showDesign(scene, *designed);
+  simulate(std::move(scene), *designed, start);
+}
+
+void LiveRun::readStateAgain() {
+  if (options_.stored && options_.stored->refresh()) {
+    options_.scene = options_.stored->origin();
+    const std::lock_guard lock(mutex_);
+    edits_.setScene(options_.scene);
+  }
+}
+
+void LiveRun::showStored() {
+  const RestoredRun& run = options_.stored->run();
+  display_.showBegin("opening");
+  files_ = run.scene.files;
+  display_.showStored(run);
+  startNear(run.simulation);
+  result_ = run.simulation;
+}
+
+void LiveRun::startNear(const Simulation& simulation) {
+  lastInPlane_ = simulation.record.inPlane->positions;
+  lastFull_ = simulation.stage.equilibrium.positions;
+}
+
+/// Keeps the solvers that serve the scene too.
+void LiveRun::makeRoom(const Scene& scene, const GridDesign& design) {
+  const GridShape shape{design.nodesU + 1, design.nodesV + 1, design.layers};
+  const bool doesInverseDesign = workloadOf(scene).inverseDesign;
+  if (scene.method != Method::multigrid || !solvers_.has(shape) ||
+      doesInverseDesign > solversDoInverseDesign_) {
+    solvers_.clear();
+    requireRoom(*device_, scene, shape);
+    solversDoInverseDesign_ = doesInverseDesign;
+  }
 }
 
 void LiveRun::simulate(Scene scene, const SceneDesign& designed, Start start) {
@@ -191,6 +233,8 @@ void LiveRun::simulate(Scene scene, const SceneDesign& designed, Start start) {
   };
   RunContext context;
   context.device = device_;
+  context.solvers = &solvers_;
+  context.onCheckFromFlat = [this](const auto& chosen) { display_.showCheckFromFlat(chosen); };
   context.onStage = [&](const Stage& stage) {
     cancellation.check();
     if (!stage.onDevice) {
@@ -208,8 +252,7 @@ void LiveRun::simulate(Scene scene, const SceneDesign& designed, Start start) {
     throw DeviceError(*context.failure);
   }
   cancellation.check();
-  lastInPlane_ = simulation.record.inPlane->positions;
-  lastFull_ = simulation.stage.equilibrium.positions;
+  startNear(simulation);
   display_.showEnd(simulation);
   result_ = std::move(simulation);
 }

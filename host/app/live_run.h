@@ -5,16 +5,19 @@
 #include "app/run_display.h"
 #include "app/scene_edits.h"
 #include "app/step_gate.h"
+#include "app/stored_run.h"
 #include "core/file_watch.h"
 
 namespace morphgrid {
 
 struct LiveRunOptions {
-  std::filesystem::path scene;
+  SceneOrigin scene;
   std::vector<std::string> overrides;  ///< See loadScene().
   std::filesystem::path outputFolder;  ///< Where exported files go.
   std::function<void()> wake;          ///< Called from the worker when there is something new.
   TargetKeeper targets;                ///< May hold the scene's target already.
+  /// The finished run that the scene is of: what it has come to is shown, not solved again.
+  std::optional<StoredRun> stored;
 };
 
 /// Does what runScene() does, on a thread of its own, over and over as knobs are turned, and shows
@@ -34,13 +37,17 @@ class LiveRun final : public Session {
   void turnKnob(const std::string& key, const std::string& value) override;
   void undo() override;
   void redo() override;
-  void reload() override { demand(Start::flat); }
+  void reload() override { demand(Start::reloaded); }
   void saveScene() override;
   void exportFiles() override;
 
  private:
   using Overrides = SceneEdits::Overrides;
-  enum class Start { flat, near };
+  enum class Start {
+    flat,
+    near,      ///< The last result, where it fits.
+    reloaded,  ///< The stored run, where there is one; flat otherwise.
+  };
 
   // Called by any thread.
   void demand(Start start);
@@ -54,6 +61,11 @@ class LiveRun final : public Session {
   void workOnce();
   void attemptRun(const Overrides& overrides, Start start);
   void run(const Overrides& overrides, Start start);
+  void readStateAgain();
+  void showStored();
+  /// From now on runs may start where this one has come to rest.
+  void startNear(const Simulation& simulation);
+  void makeRoom(const Scene& scene, const GridDesign& design);
   void simulate(Scene scene, const SceneDesign& designed, Start start);
   void watchSources(const Overrides& overrides);
   void noteChangedSources();
@@ -66,8 +78,8 @@ class LiveRun final : public Session {
 
   mutable std::mutex mutex_;
   std::condition_variable changed_;
-  SceneEdits edits_;  ///< Changed by the session's user alone.
-  std::optional<Start> demand_ = Start::flat;
+  SceneEdits edits_;
+  std::optional<Start> demand_ = Start::near;
   bool wantsFiles_ = false;
   bool isEnding_ = false;
 
@@ -75,6 +87,9 @@ class LiveRun final : public Session {
   RunDisplay display_;
   std::vector<std::filesystem::path> sources_;
   FileWatch watch_;
+  DesignKeeper designs_;
+  SolverKeeper solvers_;
+  bool solversDoInverseDesign_ = false;
   Eigen::Matrix3Xd lastInPlane_, lastFull_;
   std::optional<Simulation> result_;
   FileChoices files_;

@@ -45,7 +45,7 @@ RunState stateOf(const Scene& scene, const SceneDesign& designed, const Simulati
 
 RestoredRun restoreRun(const std::filesystem::path& file) {
   RunState state = readState(file);
-  RestoredRun run{.scene = loadSceneText(state.scene, file),
+  RestoredRun run{.scene = loadSceneText(state.scene, file, state.record.scene),
                   .designed = designOf(state),
                   .simulation = {},
                   .inPlane = {},
@@ -53,7 +53,6 @@ RestoredRun restoreRun(const std::filesystem::path& file) {
                   .sampling = std::move(state.sampling)};
   const Scene& scene = run.scene;
   const GridDesign& design = run.designed.design;
-  run.scene.name = state.record.scene;
   state.record.published = scene.published;
   run.inPlane = inPlaneGrid(design, scene.weights, scene.scaling);
   run.stacked = design.layers == 1

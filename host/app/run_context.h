@@ -5,6 +5,7 @@
 
 #include "app/design_scene.h"
 #include "app/pictures.h"
+#include "app/solver_keeper.h"
 #include "core/error.h"
 #include "gpu/device_failure.h"
 
@@ -20,9 +21,20 @@ struct RunContext {
   std::optional<std::string> failure;  ///< What the device said when it failed.
   /// Called with each stage before it is solved; may be empty.
   std::function<void(const Stage&)> onStage;
+  /// Told before inverse design checks how its design morphs from flat, on the device grid of the
+  /// stage, where the design has come to rest now; may be empty.
+  std::function<void(const StrutGrid& chosen)> onCheckFromFlat;
+  /// Solvers that runs before this one made; null: each stage makes a solver for itself.
+  SolverKeeper* solvers = nullptr;
   /// Multigrid starts a stage of as many vertices from here: where a like scene's came to rest. 3 x
   /// vertexCount, in the plane and in space.
   Eigen::Matrix3Xd nearInPlane, nearFull;
+
+  /// The device must be there.
+  std::shared_ptr<MultigridSolver> solverFor(const StrutGrid& grid) const {
+    return solvers ? solvers->solverFor(*device, grid)
+                   : std::make_shared<MultigridSolver>(*device, grid);
+  }
 
   /// Does what the device may fail at.
   template <typename Work>

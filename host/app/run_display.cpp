@@ -51,24 +51,61 @@ std::shared_ptr<const MeshSampling> samplingOf(const std::shared_ptr<const Targe
   return target ? std::shared_ptr<const MeshSampling>(target, target->meshSampling()) : nullptr;
 }
 
+void putScene(const Scene& scene, Snapshot& next) {
+  next.title = scene.title;
+  next.knobs = keepRanges(knobsOf(scene), next.knobs);
+  next.maxShrinkage = scene.design.maxShrinkage;
+}
+
+/// Nothing but the target is there.
+void putDesign(const SceneDesign& designed, const RunRecord& record,
+               const std::optional<ShownGrid>& target, Snapshot& next) {
+  next.view = designed.view();
+  next.stages = {};
+  next.sampling = samplingOf(designed.target);
+  slotOf(ShownStage::target, next) = target;
+  next.newest = ShownStage::target;
+  next.targets = target ? target->positions : nullptr;
+  next.figures = toTable(record);
+  next.notices = record.notices;
+  next.extent.setEmpty();
+  if (target) {
+    extend(next.extent, *target->positions);
+  }
+  next.strutCount = record.grid.shape.strutCount();
+  ++next.runs;
+}
+
+void putEnd(const Simulation& simulation, const ShownGrid& end, Snapshot& next) {
+  const RunRecord& record = simulation.record;
+  const Equilibrium& last = simulation.stage.equilibrium;
+  next.activity = Activity::atRest;
+  next.status = fmt::format(
+      "at rest after {} iterations ({}), {:.2f} s", last.iterations,
+      last.converged ? "converged" : "NOT converged: " + toString(last.reason), last.seconds);
+  slotOf(next.newest, next) = end;
+  if (record.full) {
+    slotOf(ShownStage::surface, next) = end;
+  }
+  next.figures = toTable(record);
+  next.notices = record.notices;
+  next.history = last.history;
+}
+
 }  // namespace
 
-void RunDisplay::showBegin() {
+void RunDisplay::showBegin(const std::string& status) {
   stages_ = 0;
-  board_.post([](Snapshot& next) {
+  board_.post([&](Snapshot& next) {
     next.activity = Activity::designing;
-    next.status = "designing";
+    next.status = status;
     next.problem.reset();
     next.isOutdated = false;
   });
 }
 
 void RunDisplay::showScene(const Scene& scene) {
-  board_.post([&](Snapshot& next) {
-    next.title = scene.title;
-    next.knobs = keepRanges(knobsOf(scene), next.knobs);
-    next.maxShrinkage = scene.design.maxShrinkage;
-  });
+  board_.post([&](Snapshot& next) { putScene(scene, next); });
 }
 
 std::optional<ShownGrid> RunDisplay::makeTarget(const GridShape& shape,
@@ -90,40 +127,28 @@ std::optional<ShownGrid> RunDisplay::makeTarget(const GridShape& shape,
 void RunDisplay::showDesign(const Scene& scene, const SceneDesign& designed) {
   const RunRecord record = recordOf(scene, designed);
   const auto target = makeTarget(record.grid.shape, designed);
-  const auto sampling = samplingOf(designed.target);
-  board_.post([&](Snapshot& next) {
-    next.view = designed.view();
-    next.stages = {};
-    next.sampling = sampling;
-    slotOf(ShownStage::target, next) = target;
-    next.newest = ShownStage::target;
-    next.targets = reference_;
-    next.figures = toTable(record);
-    next.notices = record.notices;
-    next.extent.setEmpty();
-    if (designed.targets) {
-      extend(next.extent, *designed.targets);
-    }
-    next.strutCount = record.grid.shape.strutCount();
-    ++next.runs;
-  });
+  board_.post([&](Snapshot& next) { putDesign(designed, record, target, next); });
+}
+
+/// A copy of a grid, its middle layer as close to where it should lie as it comes.
+ShownGrid RunDisplay::placed(const StrutGrid& grid, const Matrix3Xd& positions) {
+  const Matrix3Xd middle = middleLayer(grid.shape, positions);
+  if (!reference_) {  // Without target, it stays where it begins.
+    reference_ = std::make_shared<Matrix3Xd>(middle);
+    referenceShape_ = grid.shape.layer();
+  }
+  auto onDevice = std::make_shared<DeviceGrid>(device_, grid);
+  onDevice->uploadPositions(positions);
+  return {std::move(onDevice), alignRigidly(middle, *reference_), std::make_shared<StrutGrid>(grid),
+          std::make_shared<Matrix3Xd>(positions)};
 }
 
 void RunDisplay::showStage(const Stage& stage) {
   const bool inPlane = stages_++ == 0;
-  const GridShape& shape = stage.grid.shape;
-  const Matrix3Xd middle = middleLayer(shape, stage.grid.positions);
+  const ShownGrid before = placed(stage.grid, stage.grid.positions);
   onDevice_ = stage.onDevice;
-  live_.onDevice = stage.onDevice;
-  live_.grid = std::make_shared<StrutGrid>(stage.grid);
-  live_.positions = std::make_shared<Matrix3Xd>(stage.grid.positions);
-  if (!reference_) {  // Without target, it stays where it begins.
-    reference_ = std::make_shared<Matrix3Xd>(middle);
-    referenceShape_ = shape;
-  }
-  live_.worldFromGrid = alignRigidly(middle, *reference_);
-  ShownGrid before = live_;
-  before.onDevice = std::make_shared<DeviceGrid>(device_, stage.grid);
+  live_ = before;
+  live_.onDevice = stage.onDevice->onlooker();
   board_.post([&](Snapshot& next) {
     next.activity = Activity::solving;
     next.status = inPlane ? "in plane" : "full";
@@ -190,26 +215,46 @@ void RunDisplay::showPaused() {
   }
 }
 
+void RunDisplay::showCheckFromFlat(const StrutGrid& chosen) {
+  const ShownGrid still = placed(chosen, newestPositions(*live_.onDevice));
+  board_.post([&](Snapshot& next) {
+    next.status = "full: checking whether the design gets there from flat";
+    slotOf(next.newest, next) = still;
+  });
+}
+
 void RunDisplay::showEnd(const Simulation& simulation) {
   const Stage& stage = simulation.stage;
-  const RunRecord& record = simulation.record;
-  const Equilibrium& last = stage.equilibrium;
+  const Matrix3Xd& positions = stage.equilibrium.positions;
   live_.grid = std::make_shared<StrutGrid>(stage.grid);  // Inverse design has changed it.
-  live_.positions = std::make_shared<Matrix3Xd>(last.positions);
+  live_.positions = std::make_shared<Matrix3Xd>(positions);
   live_.worldFromGrid = simulation.targetFromGrid;
-  stage.onDevice->uploadPositions(last.positions);
+  stage.onDevice->uploadPositions(positions);
+  board_.post([&](Snapshot& next) { putEnd(simulation, live_, next); });
+}
+
+void RunDisplay::showStored(const RestoredRun& run) {
+  const Stage& stage = run.simulation.stage;
+  const RunRecord& record = run.simulation.record;
+  const auto target = makeTarget(record.grid.shape, run.designed);
+  const ShownGrid initial = placed(run.inPlane, run.inPlane.positions);
+  const ShownGrid inPlane = placed(run.inPlane, record.inPlane->positions);
+  const ShownGrid stacked = placed(run.stacked, run.stacked.positions);
+  ShownGrid end = placed(stage.grid, stage.equilibrium.positions);
+  end.worldFromGrid = run.simulation.targetFromGrid;
   board_.post([&](Snapshot& next) {
-    next.activity = Activity::atRest;
-    next.status = fmt::format(
-        "at rest after {} iterations ({}), {:.2f} s", last.iterations,
-        last.converged ? "converged" : "NOT converged: " + toString(last.reason), last.seconds);
-    slotOf(next.newest, next) = live_;
+    putScene(run.scene, next);
+    putDesign(run.designed, record, target, next);
+    if (run.sampling) next.sampling = std::make_shared<MeshSampling>(*run.sampling);
+    extend(next.extent, initial.worldFromGrid * run.inPlane.positions);
+    slotOf(ShownStage::initial, next) = initial;
+    slotOf(ShownStage::inPlane, next) = inPlane;
+    next.newest = record.full ? ShownStage::warped : ShownStage::inPlane;
     if (record.full) {
-      slotOf(ShownStage::surface, next) = live_;
+      slotOf(ShownStage::stacked, next) = stacked;
     }
-    next.figures = toTable(record);
-    next.notices = record.notices;
-    next.history = last.history;
+    putEnd(run.simulation, end, next);
+    next.status += ", as stored";
   });
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-#include "app/simulate_scene.h"
+#include "app/restored_run.h"
 #include "app/snapshot_board.h"
 
 namespace morphgrid {
@@ -10,7 +10,7 @@ class RunDisplay {
   /// Keeps references.
   RunDisplay(const Device& device, SnapshotBoard& board) : device_(device), board_(board) {}
 
-  void showBegin();
+  void showBegin(const std::string& status);
   /// The scene that is about to be designed, and its knobs: they can be turned while it is.
   void showScene(const Scene& scene);
   /// The target, and what the design says.
@@ -23,11 +23,17 @@ class RunDisplay {
   void showPositions(const Eigen::Matrix3Xd& positions) { onDevice_->uploadPositions(positions); }
   void showSample(const ConvergenceSample& sample);
   void showPaused();
+  /// The solver's grid is about to leave for inverse design's check from flat: the chosen design
+  /// stays to be seen, where it has come to rest.
+  void showCheckFromFlat(const StrutGrid& chosen);
   void showEnd(const Simulation& simulation);
+  /// A finished run, all of it at once.
+  void showStored(const RestoredRun& run);
   void showFailure(const std::string& problem);
 
  private:
   std::optional<ShownGrid> makeTarget(const GridShape& shape, const SceneDesign& designed);
+  ShownGrid placed(const StrutGrid& grid, const Eigen::Matrix3Xd& positions);
   ShownGrid withNewestPositions(ShownGrid shown) const;
   std::string describeDistance(const ShownGrid& shown, const Snapshot& snapshot) const;
 

@@ -20,8 +20,8 @@ constexpr const char* kBoxKeys[] = {"u_start", "v_start", "u_length", "v_length"
 /// Reads a scene, key by key, and what belongs to several keys at once.
 class SceneReader {
  public:
-  SceneReader(const std::filesystem::path& file, toml::table document)
-      : reader_(file, std::move(document)), scene_{.name = file.stem().string(), .file = file} {}
+  SceneReader(const std::filesystem::path& file, const std::string& name, toml::table document)
+      : reader_(file, std::move(document)), scene_{.name = name, .file = file} {}
 
   Scene read() {
     for (const SceneKeySection& keys : sceneKeys()) {
@@ -138,8 +138,9 @@ void requireWhatInverseDesignNeeds(const Scene& scene) {
   }
 }
 
-Scene readChecked(const std::filesystem::path& file, toml::table document) {
-  Scene scene = SceneReader(file, std::move(document)).read();
+Scene readChecked(const std::filesystem::path& file, const std::string& name,
+                  toml::table document) {
+  Scene scene = SceneReader(file, name, std::move(document)).read();
   requireWhatInverseDesignNeeds(scene);
   return scene;
 }
@@ -147,11 +148,12 @@ Scene readChecked(const std::filesystem::path& file, toml::table document) {
 }  // namespace
 
 Scene loadScene(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
-  return readChecked(file, parseToml(file, overrides));
+  return readChecked(file, file.stem().string(), parseToml(file, overrides));
 }
 
-Scene loadSceneText(const std::string& text, const std::filesystem::path& file) {
-  return readChecked(file, parseTomlText(text, file));
+Scene loadSceneText(const std::string& text, const std::filesystem::path& file,
+                    const std::string& name, const std::vector<std::string>& overrides) {
+  return readChecked(file, name, parseTomlText(text, file, overrides));
 }
 
 std::vector<std::string> knownSceneKeys() {

@@ -68,7 +68,8 @@ struct Scene {
 Scene loadScene(const std::filesystem::path& file, const std::vector<std::string>& overrides = {});
 
 /// The same of a text that stands alone, see sceneText(); file: what errors name.
-Scene loadSceneText(const std::string& text, const std::filesystem::path& file);
+Scene loadSceneText(const std::string& text, const std::filesystem::path& file,
+                    const std::string& name, const std::vector<std::string>& overrides = {});
 
 /// The dotted names of all keys that a scene file may hold, in the order of the documentation.
 std::vector<std::string> knownSceneKeys();

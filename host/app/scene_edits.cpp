@@ -3,10 +3,8 @@
 #include <fmt/format.h>
 
 #include <chrono>
-#include <sstream>
 
 #include "core/atomic_file.h"
-#include "core/toml_document.h"
 
 namespace morphgrid {
 namespace {
@@ -21,9 +19,9 @@ SceneEdits::Overrides withOverride(SceneEdits::Overrides overrides, const std::s
 }
 
 /// Where nothing is: what another session or the user has written stays.
-std::filesystem::path freeFileBeside(const std::filesystem::path& scene) {
-  const std::string stem = scene.stem().string() + "_edited";
-  std::filesystem::path file = scene.parent_path() / (stem + ".toml");
+std::filesystem::path freeFileBeside(const SceneOrigin& scene) {
+  const std::string stem = scene.name + "_edited";
+  std::filesystem::path file = scene.file.parent_path() / (stem + ".toml");
   std::error_code ignored;  // Writing reports what is wrong with the folder.
   for (int n = 2; std::filesystem::exists(file, ignored); ++n) {
     file.replace_filename(fmt::format("{}_{}.toml", stem, n));
@@ -51,12 +49,11 @@ void SceneEdits::redo() {
 }
 
 std::filesystem::path SceneEdits::save() {
-  std::ostringstream text;
-  text << parseTomlAlone(scene_, overrides_.present()) << '\n';
+  const std::string text = editedScene(scene_, overrides_.present());
   if (saved_.empty()) {
     saved_ = freeFileBeside(scene_);
   }
-  writeFileAtomically(saved_, text.str());
+  writeFileAtomically(saved_, text);
   return saved_;
 }
 

@@ -3,19 +3,22 @@
 #include <string>
 #include <vector>
 
+#include "app/scene_origin.h"
 #include "view/undo_stack.h"
 
 namespace morphgrid {
 
-/// What a user changes of a scene file: overrides, as of loadScene(), with undo.
+/// What a user changes of a scene: overrides, as of loadScene(), with undo.
 class SceneEdits {
  public:
   using Overrides = std::vector<std::string>;
 
-  SceneEdits(std::filesystem::path scene, Overrides overrides)
+  SceneEdits(SceneOrigin scene, Overrides overrides)
       : scene_(std::move(scene)), overrides_(std::move(overrides)) {}
 
-  const std::filesystem::path& scene() const { return scene_; }
+  const SceneOrigin& scene() const { return scene_; }
+  /// The same overrides of another version of the scene.
+  void setScene(SceneOrigin scene) { scene_ = std::move(scene); }
   const Overrides& overrides() const { return overrides_.present(); }
 
   /// value: as in the scene file.
@@ -26,13 +29,14 @@ class SceneEdits {
   void undo();
   void redo();
 
-  /// Writes a scene file with the overrides in it beside the scene's, because paths start there:
-  /// NAME_edited.toml, or with a number where that is taken; the next time it is written again.
-  /// Returns its path. Throws InputError when the scene cannot be read or the file not be written.
+  /// Writes a scene file with the overrides in it beside the scene's, because paths start there, or
+  /// beside the state that holds it: NAME_edited.toml, or with a number where that is taken; the
+  /// next time it is written again. Returns its path. Throws InputError when the scene cannot be
+  /// read or the file not be written.
   std::filesystem::path save();
 
  private:
-  std::filesystem::path scene_;
+  SceneOrigin scene_;
   UndoStack<Overrides> overrides_;
   std::filesystem::path saved_;  ///< Empty: not yet.
 };

@@ -17,10 +17,11 @@ Stage Stages::prepare(StrutGrid grid) {
   Stage stage{.grid = std::move(grid)};
   if (context_.device) {
     context_.attempt([&] {
-      stage.onDevice = std::make_shared<DeviceGrid>(*context_.device, stage.grid);
       if (scene_.method == Method::multigrid) {
-        stage.solver =
-            std::make_shared<MultigridSolver>(*context_.device, stage.grid, stage.onDevice);
+        stage.solver = context_.solverFor(stage.grid);
+        stage.onDevice = stage.solver->onDevice();
+      } else {
+        stage.onDevice = std::make_shared<DeviceGrid>(*context_.device, stage.grid);
       }
     });
   }
@@ -128,6 +129,9 @@ std::optional<InverseDesign> Stages::improve(Stage& stage, const Eigen::Matrix3X
                     step.seconds, done > 0 ? step.seconds / done * (stepCount - done) : -1);
     }
   };
+  if (context_.onCheckFromFlat) {
+    options.onCheckFromFlat = [&] { context_.onCheckFromFlat(stage.solver->grid()); };
+  }
   options.onCheckpoint = [&](InverseCheckpoint checkpoint) { keeper_.keep(std::move(checkpoint)); };
   options.resumeFrom = keeper_.inverse();
   keeper_.beginInverseDesign(stage.equilibrium);

@@ -9,7 +9,8 @@ namespace morphgrid {
 void refuseFinishedRun(const std::filesystem::path& argument) {
   if (const auto state = findState(argument)) {
     throw InputError(fmt::format(
-        "{}: is a finished run: see it with morphgrid figures; this command takes its scene: {}",
+        "{}: is a finished run: see it with morphgrid view or figures; this command takes its "
+        "scene: {}",
         argument.string(), readState(*state).sceneFile.string()));
   }
 }

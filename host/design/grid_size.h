@@ -31,6 +31,8 @@ struct DesignRequest {
   int optimiseSteps = 0;                 ///< Steps along the adjoint gradient, >= 0
   bool enforceShrinkage = false;         ///< Whether both honour maxShrinkage.
   std::optional<double> strutThickness;  ///< As printed, in the scene's unit of length, > 0
+
+  bool operator==(const DesignRequest&) const = default;
 };
 
 /// The size of a grid, chosen from the survey (Eqs. 21 - 23).

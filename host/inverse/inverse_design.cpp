@@ -105,6 +105,7 @@ InverseDesign InverseDesigner::run(Equilibrium first) {
   }
   result_.rest = lateral_.replacedIn(solver_.grid(), kept_.rest);
   solver_.setRest(result_.rest);
+  solver_.moveTo(kept_.equilibrium.positions);
   morphFromFlat();
   solver_.moveTo(kept_.equilibrium.positions);
   result_.equilibrium = std::move(kept_.equilibrium);
@@ -181,6 +182,9 @@ bool InverseDesigner::settle() {
 
 /// What is printed starts flat, not at the last design's equilibrium.
 void InverseDesigner::morphFromFlat() {
+  if (options_.onCheckFromFlat) {
+    options_.onCheckFromFlat();
+  }
   SolveOptions solve = toTheEnd_;
   solve.onProgress = nullptr;
   solve.onGrid = nullptr;

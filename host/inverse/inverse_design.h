@@ -18,6 +18,9 @@ struct InverseOptions {
   std::optional<double> shrinkLimit;  ///< Share of its printed length that a strut may lose.
   SolveOptions solve;                 ///< For the last equilibrium.
   std::function<void(const InverseStep&)> onStep;  ///< May be empty.
+  /// Called when the design is chosen and the solver stands at it, before the solver's grid leaves
+  /// for the check from flat; may be empty.
+  std::function<void()> onCheckFromFlat;
   /// Called with where inverse design stands, as often as costs 1 % of the time, and when it has to
   /// end early; may be empty.
   std::function<void(InverseCheckpoint)> onCheckpoint;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cassert>
 #include <cmath>
 #include <limits>
 
@@ -101,23 +102,39 @@ std::vector<vec4> packStiffness(const StrutValues& stiffness) {
 
 }  // namespace
 
+DeviceGrid::Storage::Storage(const Device& device, const GridShape& shape)
+    : positions(perVertexBuffer(device, shape)),
+      previousPositions(perVertexBuffer(device, shape)),
+      rest(perVertexBuffer(device, shape)),
+      stiffness(perVertexBuffer(device, shape)) {}
+
 DeviceGrid::DeviceGrid(const Device& device, const StrutGrid& grid)
     : device_(device),
       shape_(validated(grid).shape),
-      spacing_(grid.spacing),
-      angleWeight_(grid.angleWeight),
       resolution_(chooseResolution(grid.shape)),
-      restResolution_(chooseRestResolution(grid)),
-      origin_(grid.positions.rowwise().mean()),
-      stepsPerForce_((2 * StrutEnergy(grid).constraintWeights()).cwiseInverse()),
-      uniformStiffness_(findUniformStiffness(grid)),
-      positions_(perVertexBuffer(device, shape_)),
-      previousPositions_(perVertexBuffer(device, shape_)),
-      rest_(perVertexBuffer(device, shape_)),
-      stiffness_(perVertexBuffer(device, shape_)) {
+      storage_(std::make_shared<Storage>(device, shape_)) {
+  take(grid);
+}
+
+void DeviceGrid::assign(const StrutGrid& grid) {
+  assert(grid.shape == shape_);
+  take(validated(grid));
+}
+
+void DeviceGrid::take(const StrutGrid& grid) {
+  spacing_ = grid.spacing;
+  angleWeight_ = grid.angleWeight;
+  restResolution_ = chooseRestResolution(grid);
+  origin_ = grid.positions.rowwise().mean();
+  uniformStiffness_ = findUniformStiffness(grid);
+  storage_->stepsPerForce = (2 * StrutEnergy(grid).constraintWeights()).cwiseInverse();
   uploadPositions(grid.positions);
   uploadRest(grid.rest);
-  upload(device, stiffness_, packStiffness(grid.stiffness));
+  upload(device_, storage_->stiffness, packStiffness(grid.stiffness));
+}
+
+std::shared_ptr<const DeviceGrid> DeviceGrid::onlooker() const {
+  return std::shared_ptr<const DeviceGrid>(new DeviceGrid(*this));
 }
 
 void DeviceGrid::uploadPositions(const Eigen::Matrix3Xd& positions) {
@@ -132,8 +149,8 @@ void DeviceGrid::uploadPositions(const Eigen::Matrix3Xd& positions) {
     }
     packed[n] = encode(steps);
   }
-  upload(device_, positions_, packed);
-  upload(device_, previousPositions_, packed);
+  upload(device_, storage_->positions, packed);
+  upload(device_, storage_->previousPositions, packed);
 }
 
 void DeviceGrid::uploadRest(const StrutValues& rest) {
@@ -142,11 +159,12 @@ void DeviceGrid::uploadRest(const StrutValues& rest) {
   };
   std::vector<ivec4> packed(rest.u.size());
   for (std::size_t n = 0; n < packed.size(); ++n) {
-    const auto stepPerForce = static_cast<float>(stepsPerForce_[static_cast<Eigen::Index>(n)]);
+    const auto stepPerForce =
+        static_cast<float>(storage_->stepsPerForce[static_cast<Eigen::Index>(n)]);
     packed[n] = {toSteps(rest.u[n]), toSteps(rest.v[n]), toSteps(rest.w[n]),
                  std::bit_cast<std::int32_t>(stepPerForce)};
   }
-  upload(device_, rest_, packed);
+  upload(device_, storage_->rest, packed);
 }
 
 Eigen::Matrix3Xd DeviceGrid::downloadPositions(const Buffer& from) const {

@@ -1,5 +1,6 @@
 #pragma once
 #include <atomic>
+#include <memory>
 #include <optional>
 
 #include "gpu/buffer.h"
@@ -22,6 +23,13 @@ class DeviceGrid {
   /// DeviceError when it exceeds the device's limits.
   DeviceGrid(const Device& device, const StrutGrid& grid);
 
+  /// Another grid of the same shape, in the same buffers. Throws InputError when it is not valid.
+  void assign(const StrutGrid& grid);
+
+  /// The same buffers, with the scale of now: for another thread, which may draw while assign()
+  /// changes it.
+  std::shared_ptr<const DeviceGrid> onlooker() const;
+
   const GridShape& shape() const { return shape_; }
   double spacing() const { return spacing_; }
   double angleWeight() const { return angleWeight_; }
@@ -34,16 +42,16 @@ class DeviceGrid {
 
   /// ivec4 a vertex. The solver swaps between two such buffers; this one holds the newest state
   /// before and after a solve.
-  const Buffer& positions() const { return positions_; }
-  const Buffer& previousPositions() const { return previousPositions_; }
+  const Buffer& positions() const { return storage_->positions; }
+  const Buffer& previousPositions() const { return storage_->previousPositions; }
   /// Whether positions() holds the newest state, or previousPositions(): for those who draw a solve
   /// that goes on.
-  bool newestIsFirst() const { return newestIsFirst_; }
-  void noteNewest(bool isFirst) { newestIsFirst_ = isFirst; }
+  bool newestIsFirst() const { return storage_->newestIsFirst; }
+  void noteNewest(bool isFirst) { storage_->newestIsFirst = isFirst; }
   /// ivec4 a vertex: rest lengths of the struts to +u, +v, +w in fixed point; step per force.
-  const Buffer& rest() const { return rest_; }
+  const Buffer& rest() const { return storage_->rest; }
   /// vec4 a vertex: stiffnesses of the struts to +u, +v, +w.
-  const Buffer& stiffness() const { return stiffness_; }
+  const Buffer& stiffness() const { return storage_->stiffness; }
   /// Empty when stiffnesses differ.
   const std::optional<UniformStiffness>& uniformStiffness() const { return uniformStiffness_; }
 
@@ -51,26 +59,35 @@ class DeviceGrid {
   /// velocity).
   void uploadPositions(const Eigen::Matrix3Xd& positions);
   void uploadRest(const StrutValues& rest);
-  Eigen::Matrix3Xd downloadPositions() const { return downloadPositions(positions_); }
+  Eigen::Matrix3Xd downloadPositions() const { return downloadPositions(positions()); }
   /// Positions, 3 x vertexCount, from another buffer of them. Uploading them again gives the same
   /// bits.
   Eigen::Matrix3Xd downloadPositions(const Buffer& from) const;
 
  private:
+  struct Storage {
+    Buffer positions;
+    Buffer previousPositions;
+    Buffer rest;
+    Buffer stiffness;
+    Eigen::VectorXd stepsPerForce;
+    std::atomic<bool> newestIsFirst = true;
+
+    Storage(const Device& device, const GridShape& shape);
+  };
+
+  DeviceGrid(const DeviceGrid&) = default;  // For onlooker().
+  void take(const StrutGrid& grid);
+
   const Device& device_;
   GridShape shape_;
-  double spacing_;
-  double angleWeight_;
   double resolution_;
-  double restResolution_;
-  Eigen::Vector3d origin_;
-  Eigen::VectorXd stepsPerForce_;
+  double spacing_ = 1;
+  double angleWeight_ = 0;
+  double restResolution_ = 1;
+  Eigen::Vector3d origin_ = Eigen::Vector3d::Zero();
   std::optional<UniformStiffness> uniformStiffness_;
-  Buffer positions_;
-  Buffer previousPositions_;
-  Buffer rest_;
-  Buffer stiffness_;
-  std::atomic<bool> newestIsFirst_ = true;
+  std::shared_ptr<Storage> storage_;
 };
 
 }  // namespace morphgrid

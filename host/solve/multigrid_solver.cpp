@@ -88,6 +88,19 @@ void MultigridSolver::setRest(const StrutValues& rest) {
   grid_.rest = rest;
 }
 
+void MultigridSolver::setGrid(StrutGrid grid) {
+  const bool wasUniform = deviceGrid_->uniformStiffness().has_value();
+  deviceGrid_->assign(grid);
+  grid_ = std::move(grid);
+  energy_ = std::make_unique<StrutEnergy>(grid_);
+  if (deviceGrid_->uniformStiffness().has_value() != wasUniform) {
+    adjoint_.reset();  // Kernels are specialised for it.
+    descent_.reset();
+  } else if (descent_) {
+    descent_->forgetHessian();
+  }
+}
+
 void MultigridSolver::moveTo(const Eigen::Matrix3Xd& positions) {
   deviceGrid_->uploadPositions(positions);
 }

@@ -17,9 +17,9 @@ class StrutEnergy;
 
 /// L-BFGS on the device whose initial inverse Hessian is a V-cycle of multigrid on the Gauss-Newton
 /// Hessian. It owns a grid, on the host and on the device, and keeps what it has allocated while
-/// rest lengths and positions change: another solve costs its cycles and no more. Where a solve
-/// starts flat, problems of fewer nodes are solved first and start the finer ones; these are freed
-/// again, since grids that have changed start near.
+/// rest lengths, weights and positions change: another solve costs its cycles and no more. Where a
+/// solve starts flat, problems of fewer nodes are solved first and start the finer ones; these are
+/// freed again, since grids that have changed start near.
 class MultigridSolver {
  public:
   /// deviceGrid holds the grid. Nothing is allocated before it is needed.
@@ -34,6 +34,9 @@ class MultigridSolver {
   const std::shared_ptr<DeviceGrid>& onDevice() const { return deviceGrid_; }
 
   void setRest(const StrutValues& rest);
+  /// Another grid of the same shape: what comes of it is what a new solver would give. Throws
+  /// InputError when it is not valid.
+  void setGrid(StrutGrid grid);
   /// positions: 3 x vertexCount, in the scene's unit of length; where SolveOptions::startsNear
   /// starts, and where adjoints are taken.
   void moveTo(const Eigen::Matrix3Xd& positions);

@@ -14,6 +14,8 @@ class PreconditionedDescent {
   /// Begins anew at the device grid's positions, which may have changed as its rest lengths may.
   /// keepsHessian: the one taken last serves on, until the energy does not fall as it says.
   void begin(bool keepsHessian);
+  /// The next step takes the Hessian anew, whatever begin() is told.
+  void forgetHessian() { linearisationIsStale_ = true; }
 
   /// One V-cycle and a step downhill. False when no step lowers the energy, even with damping: at
   /// this precision it falls no further.

@@ -98,7 +98,7 @@ void drawRun(const Snapshot& snapshot, ViewState& state, Session& session) {
     ImGui::PopStyleColor();
   }
   if (snapshot.isOutdated) {
-    ImGui::TextColored(kWarning, "The scene file has changed: Ctrl+R reads it again.");
+    ImGui::TextColored(kWarning, "A file of the scene has changed: Ctrl+R reads it again.");
   }
   drawRunButtons(state, session);
   ImGui::PushID("residual");

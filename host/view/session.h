@@ -73,7 +73,7 @@ struct Snapshot {
   std::string message;  ///< What the last command wrote where.
   bool canUndo = false;
   bool canRedo = false;
-  bool isOutdated = false;  ///< The scene file has changed on disk.
+  bool isOutdated = false;  ///< A file that the scene is read from has changed on disk.
   long runs = 0;            ///< Counts the designs.
   int strutCount = 0;       ///< Struts of the designed grid.
 };

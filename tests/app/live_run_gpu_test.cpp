@@ -1,113 +1,19 @@
 // A live session without a window, under the validation layers.
-#include "app/live_run.h"
-
 #include <gmock/gmock.h>
 
 #include <fstream>
 #include <set>
 
-#include "core/error.h"
+#include "tests/app/live_session.h"
 #include "tests/support/dome_scene.h"
 #include "tests/support/height_field.h"
-#include "tests/support/temporary_folder.h"
 
 namespace morphgrid {
 namespace {
 
 using std::chrono_literals::operator""ms;
-using std::chrono_literals::operator""s;
-using testing::Contains;
 using testing::HasSubstr;
 using testing::StartsWith;
-
-constexpr const char* kVault = R"(
-title = "Vault"
-[surface]
-kind = "bezier"
-patch = "patch.toml"
-[grid]
-layers = 3
-layer_spacing = 0.1
-nodes_long = 6
-)";
-
-constexpr const char* kPatch = R"(control_points = [
-  [[0, 0, 0], [1, 0, 1], [2, 0, 1], [3, 0, 0]],
-  [[0, 1, 0], [1, 1, 1], [2, 1, 1], [3, 1, 0]],
-  [[0, 2, 0], [1, 2, 1], [2, 2, 1], [3, 2, 0]],
-  [[0, 3, 0], [1, 3, 1], [2, 3, 1], [3, 3, 0.5]],
-]
-)";
-
-class LiveSession : public testing::Test {
- protected:
-  using Condition = std::function<bool(const Snapshot&)>;
-
-  void start(const std::string& scene, const std::vector<std::string>& overrides = {}) {
-    scene_ = folder_.write("scene.toml", scene);
-    open(overrides);
-  }
-  void open(const std::vector<std::string>& overrides = {}) {
-    session_ = std::make_unique<LiveRun>(device_, LiveRunOptions{scene_, overrides, folder_ / "out",
-                                                                 [this] { wakes_.notify_all(); }});
-    session_->showEveryStep(false);
-  }
-  void TearDown() override {
-    session_.reset();
-    for (const std::string& message : device_->validationMessages()) {
-      ADD_FAILURE() << message;
-    }
-  }
-
-  /// The first snapshot for which the condition holds; the last one when none comes.
-  std::shared_ptr<const Snapshot> await(const Condition& condition) {
-    std::unique_lock lock(mutex_);
-    const auto end = std::chrono::steady_clock::now() + 60s;
-    auto snapshot = session_->snapshot();
-    while (!condition(*snapshot) && std::chrono::steady_clock::now() < end) {
-      wakes_.wait_for(lock, 5ms);
-      snapshot = session_->snapshot();
-    }
-    EXPECT_TRUE(condition(*snapshot)) << snapshot->status << snapshot->problem.value_or("");
-    return snapshot;
-  }
-  std::shared_ptr<const Snapshot> awaitActivity(Activity activity) {
-    return await([&](const Snapshot& s) { return s.activity == activity; });
-  }
-  /// At rest after another design than the last one that was awaited.
-  std::shared_ptr<const Snapshot> awaitRest() {
-    auto snapshot =
-        await([&](const Snapshot& s) { return s.activity == Activity::atRest && s.runs > runs_; });
-    runs_ = snapshot->runs;
-    return snapshot;
-  }
-  std::shared_ptr<const Snapshot> awaitMessage(const std::string& start) {
-    return await([&](const Snapshot& s) { return s.message.rfind(start, 0) == 0; });
-  }
-  double knob(const std::string& key) const {
-    for (const Knob& knob : session_->snapshot()->knobs) {
-      if (knob.key == key) return knob.value;
-    }
-    ADD_FAILURE() << key;
-    return 0;
-  }
-  /// Changes a file so that its time tells.
-  void rewrite(const std::string& name, const std::string& text) {
-    const auto file = folder_ / name;
-    const auto before = std::filesystem::last_write_time(file);
-    folder_.write(name, text);
-    std::filesystem::last_write_time(file, before + 1s);
-  }
-
-  TemporaryFolder folder_;
-  std::shared_ptr<Device> device_ =
-      std::make_shared<Device>(DeviceOptions{.selection = "", .validation = true});
-  std::filesystem::path scene_;
-  std::mutex mutex_;
-  std::condition_variable wakes_;
-  long runs_ = 0;
-  std::unique_ptr<LiveRun> session_;
-};
 
 TEST_F(LiveSession, PassesThroughAllStages) {
   folder_.write("patch.toml", kPatch);
@@ -141,12 +47,6 @@ TEST_F(LiveSession, PausesAndDoesSingleSteps) {
   awaitActivity(Activity::paused);
   session_->pause(false);
   awaitRest();
-}
-
-/// 3 x vertexCount, as frames draw them.
-Eigen::Matrix3Xd drawnPositions(const Snapshot& snapshot, ShownStage stage) {
-  const DeviceGrid& grid = *snapshot.stages[static_cast<std::size_t>(stage)]->onDevice;
-  return grid.downloadPositions(grid.positions());
 }
 
 TEST_F(LiveSession, ShowsStepsOfTheMethodThatKeepsPositionsOnTheHost) {
@@ -291,9 +191,7 @@ TEST_F(LiveSession, TheSceneThatItSavesMeansTheSame) {
   const std::string figures = awaitRest()->figures;
   session_->saveScene();
   awaitMessage("scene saved: ");
-  session_.reset();
   scene_ = folder_ / "scene_edited.toml";
-  runs_ = 0;
   open();
   const auto again = awaitRest();
   const auto untilTimes = [](const std::string& table) {
@@ -302,22 +200,69 @@ TEST_F(LiveSession, TheSceneThatItSavesMeansTheSame) {
   EXPECT_EQ(untilTimes(again->figures), untilTimes(figures));
 }
 
+TEST_F(LiveSession, KeepsItsSolversWhileTheShapeOfTheGridStays) {
+  const auto buffers = [](const Snapshot& s) {
+    return std::pair(shownOf(s, ShownStage::inPlane).onDevice->positions().handle(),
+                     shownOf(s, ShownStage::warped).onDevice->positions().handle());
+  };
+  start(kDomeScene);
+  const auto first = awaitRest();  // Held, so that no other buffer gets its handles.
+  for (const auto& [key, value] : {std::pair("weights.angle", "2"),
+                                   {"grid.layer_spacing", "0.3"},
+                                   {"solver.scaling", "\"shapeop\""}}) {
+    session_->turnKnob(key, value);
+    EXPECT_EQ(buffers(*awaitRest()), buffers(*first)) << key;
+  }
+  session_->restart();
+  const auto kept = awaitRest();
+  EXPECT_EQ(buffers(*kept), buffers(*first));
+  session_->turnKnob("grid.layers", "4");
+  EXPECT_NE(buffers(*awaitRest()).second, buffers(*first).second);
+
+  open({"weights.angle=2", "grid.layer_spacing=0.3", "solver.scaling=shapeop"});
+  const auto fresh = awaitRest();
+  EXPECT_EQ(*shownOf(*kept, ShownStage::warped).positions,
+            *shownOf(*fresh, ShownStage::warped).positions);
+}
+
+TEST_F(LiveSession, DoesNotShowTheCheckFromFlat) {
+  folder_.write("patch.toml", kPatch);
+  std::shared_ptr<const Snapshot> checking;
+  onPost_ = [&](const auto& posted) {
+    if (posted->status.find("from flat") != std::string::npos) checking = posted;
+  };
+  scene_ = folder_.write("scene.toml", std::string(kVault) + "[design]\noptimise = 1\n");
+  open();
+  const auto end = awaitRest();
+  ASSERT_TRUE(checking);
+  EXPECT_EQ(checking->newest, ShownStage::warped);
+  const double spacing = shownOf(*end, ShownStage::warped).grid->spacing;
+  const Eigen::Matrix3Xd seen = drawnPositions(*checking, ShownStage::warped);
+  const Eigen::Matrix3Xd rested = drawnPositions(*end, ShownStage::warped);
+  EXPECT_LT((seen - rested).cwiseAbs().maxCoeff(), 1e-5 * spacing);
+  EXPECT_NE(shownOf(*checking, ShownStage::warped).onDevice->positions().handle(),
+            shownOf(*end, ShownStage::warped).onDevice->positions().handle())
+      << "the solver's own grid would be seen to move";
+  EXPECT_EQ(shownOf(*checking, ShownStage::warped).grid->rest.u,
+            shownOf(*end, ShownStage::warped).grid->rest.u);
+}
+
 TEST_F(LiveSession, ExportsFiles) {
   start(kDomeScene);
   awaitRest();
   session_->exportFiles();
   awaitMessage("files exported to ");
   for (const char* file : {"warped.glb", "warped.vtu", "surface.ply", "surface.obj"}) {
-    EXPECT_TRUE(std::filesystem::exists(folder_ / "out" / file)) << file;
+    EXPECT_TRUE(std::filesystem::exists(folder_ / "exported" / file)) << file;
   }
 }
 
 TEST_F(LiveSession, WhereNothingCanBeWrittenSaysSo) {
-  folder_.write("out", "a file");
+  folder_.write("exported", "a file");
   start(kDomeScene);
   awaitRest();
   session_->exportFiles();
-  await([](const Snapshot& s) { return s.message.find("out") != std::string::npos; });
+  await([](const Snapshot& s) { return s.message.find("exported") != std::string::npos; });
 }
 
 TEST_F(LiveSession, ClosesWhileItDesigns) {

@@ -80,8 +80,12 @@ TEST_F(RunStateCommands, WhatDoesNotGoTogetherIsTold) {
   EXPECT_THAT(runMorphgrid({"figures", path("empty")}).output,
               HasSubstr("there is no state.safetensors in this folder"));
   folder_.write("damaged/state.safetensors", "rubbish");
-  EXPECT_THAT(runMorphgrid({"figures", path("damaged")}).output,
-              HasSubstr("is no state of morphgrid; run the scene again"));
+  for (const char* command : {"figures", "view"}) {
+    EXPECT_THAT(runMorphgrid({command, path("damaged")}).output,
+                HasSubstr("is no state of morphgrid; run the scene again"));
+  }
+  EXPECT_THAT(runMorphgrid({"view", path("node"), "--set", "grid.layers=0"}).output,
+              HasSubstr("grid.layers must be an integer >= 1"));
 }
 
 TEST_F(RunStateCommands, ARunThatDidNotConvergeSaysSo) {

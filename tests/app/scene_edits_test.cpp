@@ -15,7 +15,7 @@ using testing::IsEmpty;
 class EditedScene : public testing::Test {
  protected:
   SceneEdits edit(const std::string& name, const std::vector<std::string>& overrides = {}) const {
-    return {folder_ / name, overrides};
+    return {sceneFile(folder_ / name), overrides};
   }
   std::string contentOf(const std::string& name) const {
     std::ostringstream text;

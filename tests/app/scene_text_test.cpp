@@ -35,7 +35,7 @@ nodes_long = 6
   EXPECT_THAT(scene.text, testing::Not(HasSubstr("extends")));
   std::filesystem::remove(file);
   std::filesystem::remove(folder / "base" / "base.toml");
-  const Scene again = loadSceneText(scene.text, folder / "elsewhere" / "state");
+  const Scene again = loadSceneText(scene.text, folder / "elsewhere" / "state", scene.name);
   EXPECT_EQ(again.title, "Base");
   EXPECT_EQ(again.design.nodesLong, 6);
   EXPECT_EQ(again.design.layerSpacing, 0.30000000000000004);
@@ -46,7 +46,7 @@ TEST(SceneText, AllScenesOfTheTreeComeBack) {
   for (const char* name : {"egg_chair_true", "face", "strip", "torso_true", "patch"}) {
     const auto file = sourceFolder() / "scenes" / (std::string(name) + ".toml");
     const Scene scene = loadScene(file);
-    EXPECT_EQ(loadSceneText(scene.text, "a state").text, scene.text) << name;
+    EXPECT_EQ(loadSceneText(scene.text, "a state", scene.name).text, scene.text) << name;
   }
 }
 

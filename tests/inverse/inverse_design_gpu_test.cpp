@@ -106,6 +106,23 @@ TEST_F(InverseDesignTest, OptimisationMeetsAReachableTarget) {
               0.01 * result.steps.front().rmsPercent);
 }
 
+TEST_F(InverseDesignTest, TellsOfTheCheckFromFlatWhileItStandsAtItsDesign) {
+  const Equilibrium first = solveFirst();
+  const Matrix3Xd targets = bentFurther(grid_.shape, first.positions);
+  MultigridSolver solver(device_, grid_);
+  Matrix3Xd told;
+  StrutValues toldRest;
+  InverseDesigner designer(solver, targets, {.optimiseSteps = 1, .onCheckFromFlat = [&] {
+                                               told = solver.onDevice()->downloadPositions();
+                                               toldRest = solver.grid().rest;
+                                             }});
+  const InverseDesign result = designer.run(first);
+  ASSERT_TRUE(result.fromFlat);
+  EXPECT_LT((told - result.equilibrium.positions).cwiseAbs().maxCoeff(), 1e-6);
+  EXPECT_EQ(toldRest.u, result.rest.u);
+  EXPECT_EQ(toldRest.v, result.rest.v);
+}
+
 TEST_F(InverseDesignTest, ShrinkStaysWithinItsBound) {
   const Equilibrium first = solveFirst();
   const Matrix3Xd targets = bentFurther(grid_.shape, first.positions);

@@ -28,5 +28,23 @@ TEST_F(DeviceGridTest, PositionsBeyondTheFixedPointsRangeAreRefused) {
                   testing::HasSubstr("beyond the 128 that the device's positions reach")));
 }
 
+TEST_F(DeviceGridTest, OnlookersKeepTheScaleAndSeeTheBuffers) {
+  const StrutGrid grid = bentGrid({5, 4, 3}, 7);
+  StrutGrid other = grid;
+  other.spacing = 2;
+  other.positions.array() += 4;
+  DeviceGrid onDevice(device_, grid);
+  const auto onlooker = onDevice.onlooker();
+  onDevice.assign(other);
+  onDevice.noteNewest(false);
+  EXPECT_EQ(onlooker->spacing(), 1);
+  EXPECT_EQ(onDevice.spacing(), 2);
+  EXPECT_NE(onlooker->origin(), onDevice.origin());
+  EXPECT_EQ(onlooker->positions().handle(), onDevice.positions().handle());
+  EXPECT_FALSE(onlooker->newestIsFirst());
+  const double step = onDevice.resolution() * other.spacing / (1 << kExtraBits);
+  EXPECT_LE((onDevice.downloadPositions() - other.positions).cwiseAbs().maxCoeff(), step);
+}
+
 }  // namespace
 }  // namespace morphgrid

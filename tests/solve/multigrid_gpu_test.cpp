@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/error.h"
 #include "design/build_grids.h"
 #include "solve/multigrid_solver.h"
 #include "solve/reference_solver.h"
@@ -104,6 +105,66 @@ TEST_F(Multigrid, BuffersWrittenInChunksChangeNoBit) {
   const Equilibrium full = solve(stacked);
   EXPECT_TRUE(full.converged);
   EXPECT_EQ(solveWithinLeast(stacked).positions, full.positions);
+}
+
+/// A grid of the shape of bentGrid(shape, 8), with nothing else in common.
+StrutGrid otherGrid(const GridShape& shape) {
+  StrutGrid grid = bentGrid(shape, 9);
+  grid.spacing = 2;
+  grid.angleWeight = 3;
+  grid.positions.array() = 2 * grid.positions.array() + 5;
+  for (std::vector<double>* lengths : {&grid.rest.u, &grid.rest.v, &grid.rest.w}) {
+    for (double& length : *lengths) length *= 2;
+  }
+  std::fill(grid.stiffness.w.begin(), grid.stiffness.w.end(), 10);
+  return grid;
+}
+
+TEST_F(Multigrid, AnotherGridComesToWhatANewSolverWouldGive) {
+  const GridShape shape{12, 10, 3};
+  MultigridSolver solver(device_, bentGrid(shape, 8));
+  const Equilibrium first = solver.solve({});
+  EXPECT_TRUE(first.converged);
+  StrutGrid uneven = otherGrid(shape);
+  uneven.stiffness.u.front() = 4;  // Other kernels.
+  for (const StrutGrid& grid : {otherGrid(shape), uneven, bentGrid(shape, 8)}) {
+    solver.setGrid(grid);
+    MultigridSolver fresh(device_, grid);
+    const Equilibrium expected = fresh.solve({});
+    EXPECT_TRUE(expected.converged);
+    const Equilibrium again = solver.solve({});
+    EXPECT_EQ(again.positions, expected.positions);
+    EXPECT_EQ(again.iterations, expected.iterations);
+  }
+  EXPECT_EQ(solver.solve({}).positions, first.positions);
+}
+
+TEST_F(Multigrid, AnotherGridNearItsAnswerDoesTooAndAnswersToForces) {
+  const GridShape shape{12, 10, 3};
+  MultigridSolver solver(device_, bentGrid(shape, 8));
+  const Eigen::Matrix3Xd near = solver.solve({}).positions;
+  StrutGrid grid = bentGrid(shape, 8);
+  grid.angleWeight = 2;
+  Eigen::Matrix3Xd forces = Eigen::Matrix3Xd::Zero(3, shape.vertexCount());
+  forces(2, 0) = forces(2, 1) = 1;
+  forces(2, 2) = -2;
+  solver.solveAdjoint(forces);
+  MultigridSolver fresh(device_, grid);
+  solver.setGrid(grid);
+  for (MultigridSolver* each : {&solver, &fresh}) {
+    each->moveTo(near);
+  }
+  const SolveOptions options{.startsNear = true};
+  EXPECT_EQ(solver.solve(options).positions, fresh.solve(options).positions);
+  EXPECT_EQ(solver.solveAdjoint(forces).lambda, fresh.solveAdjoint(forces).lambda);
+}
+
+TEST_F(Multigrid, ABrokenGridIsRefused) {
+  const GridShape shape{4, 4, 2};
+  MultigridSolver solver(device_, bentGrid(shape, 8));
+  StrutGrid broken = bentGrid(shape, 8);
+  broken.rest.u.front() = -1;
+  EXPECT_THROW(solver.setGrid(broken), InputError);
 }
 
 TEST_F(Multigrid, IterationLimitIsKeptAndTold) {

@@ -64,9 +64,11 @@ class ViewerWindow : public testing::Test {
     return false;
   }
 
-  void expectGolden(const std::string& name) {
+  /// golden: of which other picture; empty: its own.
+  void expectGolden(const std::string& name, const std::string& other = "") {
     const std::filesystem::path shot = desktop_.screenshot(name);
-    const std::filesystem::path golden = sourceFolder() / "tests/golden" / (name + ".png");
+    const std::filesystem::path golden =
+        sourceFolder() / "tests/golden" / ((other.empty() ? name : other) + ".png");
     const std::filesystem::path actual = binaryFolder() / (name + "_actual.png");
     if (std::filesystem::exists(golden)) {
       const Image a = readPng(shot.string());
@@ -98,6 +100,34 @@ TEST_F(ViewerWindow, StepsThroughTheStagesByKeys) {
   desktop_.run("sleep 1");  // A picture that stays is drawn finer.
   expectGolden("viewer_window");
   expectQuit(*viewer);
+}
+
+TEST_F(ViewerWindow, OpensAFinishedRunThatLooksAsItsSceneDoes) {
+  const std::filesystem::path scene = desktop_.folder().write("dome.toml", kDomeScene);
+  const std::filesystem::path run = desktop_.folder() / "run";
+  BackgroundProgram solver({binaryFolder() / "morphgrid", "run", scene, "--out", run, "--set",
+                            "output.pictures=false", "--quiet"},
+                           {}, desktop_.folder() / "run.log");
+  ASSERT_EQ(solver.exitCode(), 0) << solver.output();
+  std::filesystem::remove(scene);
+  const auto viewer = start({}, run);
+  focus("^Dome, warped: at rest .*, as stored");
+  desktop_.run("sleep 1");  // A picture that stays is drawn finer.
+  expectGolden("viewer_stored_run", "viewer_window");
+  desktop_.press("r");
+  EXPECT_NE(desktop_.awaitWindow("^Dome, warped: at rest .* s$"), "");
+  desktop_.press("ctrl+r");
+  EXPECT_NE(desktop_.awaitWindow("^Dome, warped: at rest .*, as stored"), "");
+  desktop_.press("ctrl+s");
+  expectQuit(*viewer);
+  EXPECT_TRUE(std::filesystem::exists(run / "dome_edited.toml"));
+}
+
+TEST_F(ViewerWindow, ADamagedStateIsToldWithoutAWindow) {
+  desktop_.folder().write("run/state.safetensors", "rubbish");
+  const auto viewer = start({}, desktop_.folder() / "run");
+  EXPECT_EQ(viewer->exitCode(), 2);
+  EXPECT_THAT(viewer->output(), HasSubstr("is no state of morphgrid; run the scene again"));
 }
 
 TEST_F(ViewerWindow, DrawsStrutsInTheStyleThatTheUserChooses) {

@@ -1,4 +1,4 @@
-#include "app/scene_sources.h"
+#include "app/scene_origin.h"
 
 #include <gmock/gmock.h>
 
@@ -14,7 +14,7 @@ class SceneSources : public testing::Test {
  protected:
   std::vector<std::string> list(const std::vector<std::string>& overrides = {}) const {
     std::vector<std::string> names;
-    for (const auto& file : listSceneSources(folder_ / "scene.toml", overrides)) {
+    for (const auto& file : listSceneSources(sceneFile(folder_ / "scene.toml"), overrides)) {
       names.push_back(folder_.withoutPath(file.string()));
     }
     return names;

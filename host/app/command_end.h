@@ -1,0 +1,23 @@
+#pragma once
+#include "report/run_record.h"
+
+namespace morphgrid {
+
+enum ExitCode {
+  kConverged = 0,
+  kBadInput = 2,
+  kNotConverged = 3,
+  kDeviceFailure = 4,
+  kInterrupted = 130,
+};
+
+/// Warns of what the user should know of a run.
+void logNotices(const RunRecord& record);
+
+/// The exit code of a run that has just been made; says what helps where it did not converge.
+int conclude(const RunRecord& record);
+
+/// The same of a run that was finished before: warns where it had not come to rest.
+int concludeFinished(const RunRecord& record);
+
+}  // namespace morphgrid

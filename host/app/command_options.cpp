@@ -1,0 +1,39 @@
+#include "app/command_options.h"
+
+namespace morphgrid {
+namespace {
+
+void addArguments(CLI::App& command, const char* scene, SceneArguments& arguments) {
+  command.add_option("SCENE", arguments.scene, scene)->required();
+  command
+      .add_option("--set", arguments.overrides,
+                  "override a key of the scene, e.g. --set grid.layers=4; may be repeated")
+      ->type_name("KEY=VALUE")
+      ->allow_extra_args(false);
+}
+
+}  // namespace
+
+void addSceneArguments(CLI::App& command, SceneArguments& arguments) {
+  addArguments(command, "scene file, see docs/scene_format.md", arguments);
+}
+
+void addSceneOrRunArguments(CLI::App& command, SceneArguments& arguments) {
+  addArguments(command,
+               "scene file, see docs/scene_format.md; or a finished run: its folder or its "
+               "state.safetensors",
+               arguments);
+}
+
+void addDeviceOptions(CLI::App& command, DeviceOptions& options) {
+  command.add_option("--device", options.selection,
+                     "Vulkan device, by index or part of its name [the first that will do]");
+  command.add_flag("--validate", options.validation,
+                   "run under the Vulkan validation layers; any message is a device failure");
+}
+
+void addQuietFlag(CLI::App& command, bool& isQuiet) {
+  command.add_flag("--quiet", isQuiet, "print errors only");
+}
+
+}  // namespace morphgrid
