@@ -21,7 +21,7 @@ struct CornerTerm {
 
   template <typename Visit>
   static void forEach(const StrutGrid& grid, Visit visit) {
-    const CornerTerm term{grid.angleWeight, leastSquareOf(grid)};
+    const CornerTerm term{grid.weights.angle, leastSquareOf(grid)};
     forEachCorner(grid.shape, [&](const Corner& corner) {
       visit(term, EdgeStencil<kEdges>{{{corner.apex, corner.a}, {corner.apex, corner.b}}});
     });

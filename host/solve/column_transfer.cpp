@@ -55,7 +55,7 @@ ColumnPush ColumnTransfer::push(double damping) const {
   const GridPush grid{sizeOf(shape),
                       static_cast<float>(grid_.resolution()),
                       static_cast<float>(grid_.restResolution()),
-                      static_cast<float>(grid_.angleWeight()),
+                      static_cast<float>(grid_.weights().angle),
                       0,
                       0};
   return {grid, centreLayer(shape), static_cast<float>(damping), 0};

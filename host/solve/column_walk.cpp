@@ -40,7 +40,7 @@ GridPush ColumnWalk::push() const {
   return {sizeOf(grid_.shape()),
           static_cast<float>(grid_.resolution()),
           static_cast<float>(grid_.restResolution()),
-          static_cast<float>(grid_.angleWeight()),
+          static_cast<float>(grid_.weights().angle),
           stiffness.lateral,
           stiffness.vertical};
 }

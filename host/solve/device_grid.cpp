@@ -105,7 +105,7 @@ DeviceGrid::DeviceGrid(const Device& device, const StrutGrid& grid)
     : device_(device),
       shape_(validated(grid).shape),
       spacing_(grid.spacing),
-      angleWeight_(grid.angleWeight),
+      weights_(grid.weights),
       resolution_(chooseResolution(grid.shape)),
       restResolution_(chooseRestResolution(grid)),
       origin_(grid.positions.rowwise().mean()),

@@ -24,7 +24,7 @@ class DeviceGrid {
 
   const GridShape& shape() const { return shape_; }
   double spacing() const { return spacing_; }
-  double angleWeight() const { return angleWeight_; }
+  const TermWeights& weights() const { return weights_; }
   /// Spacings per step of the fixed-point positions, a power of two.
   double resolution() const { return resolution_; }
   /// Spacings per step of the fixed-point rest lengths, a power of two.
@@ -60,7 +60,7 @@ class DeviceGrid {
   const Device& device_;
   GridShape shape_;
   double spacing_;
-  double angleWeight_;
+  TermWeights weights_;
   double resolution_;
   double restResolution_;
   Eigen::Vector3d origin_;

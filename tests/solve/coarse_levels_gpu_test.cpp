@@ -24,7 +24,7 @@ constexpr double kRounding = 1e-5;  // Rounding of single precision in sums of s
 /// Bent over a saddle and shaken; a single layer stays in its plane.
 StrutGrid unevenGrid(const GridShape& shape) {
   StrutGrid grid = bentGrid(shape, 5);
-  grid.angleWeight = 0.7;
+  grid.weights.angle = 0.7;
   if (shape.layers > 1) {
     for (Index n = 0; n < grid.positions.cols(); ++n) {
       auto x = grid.positions.col(n);

@@ -26,7 +26,7 @@ enum class Stiffness { uniform, varied };
 StrutGrid strainedGrid(const GridShape& shape, Stiffness stiffness) {
   StrutGrid grid = bentGrid(shape, 3);
   grid.spacing = 1.25;
-  grid.angleWeight = 0.7;
+  grid.weights.angle = 0.7;
   grid.positions = shaken(1.1 * grid.positions, 0.15, 4);
   if (shape.layers == 1) {
     grid.positions.row(2).setZero();

@@ -114,7 +114,7 @@ struct Avx2Sweep::Window {
 Avx2Sweep::Avx2Sweep(const StrutGrid& grid)
     : shape_(grid.shape),
       spacing_(grid.spacing),
-      angleWeight_(static_cast<float>(grid.angleWeight)),
+      angleWeight_(static_cast<float>(grid.weights.angle)),
       origin_(grid.positions.rowwise().mean()),
       pitch_((grid.shape.verticesU + kLanes - 1) / kLanes * kLanes + 2 * kLanes) {
   const auto size = static_cast<std::size_t>(pitch_) * shape_.verticesV * shape_.layers;
