@@ -14,6 +14,7 @@ namespace morphgrid {
 /// sqrt(T^2 - 4 s^2) that is `2 w s^2 / (T + D) = w (T - D) / 2`.
 struct CornerTerm {
   static constexpr int kEdges = 2;
+  static constexpr int kVertices = 3;
   using Vectors = EdgeVectors<kEdges>;  ///< One column for the arm a, one for b.
 
   double weight;       ///< w

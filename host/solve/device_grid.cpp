@@ -109,12 +109,14 @@ DeviceGrid::DeviceGrid(const Device& device, const StrutGrid& grid)
       resolution_(chooseResolution(grid.shape)),
       restResolution_(chooseRestResolution(grid)),
       origin_(grid.positions.rowwise().mean()),
-      stepsPerForce_((2 * StrutEnergy(grid).constraintWeights()).cwiseInverse()),
       uniformStiffness_(findUniformStiffness(grid)),
       positions_(perVertexBuffer(device, shape_)),
       previousPositions_(perVertexBuffer(device, shape_)),
       rest_(perVertexBuffer(device, shape_)),
       stiffness_(perVertexBuffer(device, shape_)) {
+  const StrutEnergy energy(grid);
+  mostVertices_ = energy.mostVertices();
+  stepsPerForce_ = (2 * energy.constraintWeights()).cwiseInverse();
   uploadPositions(grid.positions);
   uploadRest(grid.rest);
   upload(device, stiffness_, packStiffness(grid.stiffness));

@@ -25,6 +25,8 @@ class DeviceGrid {
   const GridShape& shape() const { return shape_; }
   double spacing() const { return spacing_; }
   const TermWeights& weights() const { return weights_; }
+  /// See StrutEnergy::mostVertices().
+  int mostVertices() const { return mostVertices_; }
   /// Spacings per step of the fixed-point positions, a power of two.
   double resolution() const { return resolution_; }
   /// Spacings per step of the fixed-point rest lengths, a power of two.
@@ -61,6 +63,7 @@ class DeviceGrid {
   GridShape shape_;
   double spacing_;
   TermWeights weights_;
+  int mostVertices_ = 0;
   double resolution_;
   double restResolution_;
   Eigen::Vector3d origin_;
