@@ -20,9 +20,19 @@ void addGrid(Digest& digest, const StrutGrid& grid) {
   for (const int count : {grid.shape.verticesU, grid.shape.verticesV, grid.shape.layers}) {
     digest.add(std::int64_t{count});
   }
-  digest.add(grid.spacing).add(grid.angleWeight).addList(allOf(grid.positions));
+  digest.add(grid.spacing);
+  for (const TermWeight& weight : kTermWeights) digest.add(grid.weights.*weight.value);
+  digest.addList(allOf(grid.positions));
   addStrutValues(digest, grid.rest);
   addStrutValues(digest, grid.stiffness);
+}
+
+std::string describe(const Weights& weights) {
+  std::string text = fmt::format("lateral {}, vertical {}", weights.lateral, weights.vertical);
+  for (const TermWeight& weight : kTermWeights) {
+    text += fmt::format(", {} {}", weight.name, weights.*weight.value);
+  }
+  return text;
 }
 
 std::string digestOfProblem(const Scene& scene, const SceneDesign& designed) {
@@ -51,8 +61,7 @@ ProblemIdentity identifyProblem(const Scene& scene, const SceneDesign& designed)
           {"layers", fmt::format("{}", design.layers)},
           {"layer spacing", fmt::format("{}", design.layerSpacing)},
           {"spacing", fmt::format("{}", design.spacing)},
-          {"weights", fmt::format("lateral {}, vertical {}, angle {}", scene.weights.lateral,
-                                  scene.weights.vertical, scene.weights.angle)},
+          {"weights", describe(scene.weights)},
           {"scaling", nameOf(scene.scaling)},
           {"method", nameOf(scene.method)},
           {"curvature cutoff", fmt::format("{}", request.curvatureCutoff)},

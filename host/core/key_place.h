@@ -18,8 +18,8 @@ KeyPlace<Record, Value> at(Value Record::*value) {
           [=](Record& record) { return &(record.*value); }};
 }
 
-template <typename Record, typename Part, typename Value>
-KeyPlace<Record, Value> at(Part Record::*part, Value Part::*value) {
+template <typename Record, typename Part, typename Base, typename Value>
+KeyPlace<Record, Value> at(Part Record::*part, Value Base::*value) {
   return {[=](const Record& record) { return &(record.*part.*value); },
           [=](Record& record) { return &(record.*part.*value); }};
 }

@@ -50,6 +50,10 @@ class ArrayReader {
 
   /// A single number, finite.
   double number(const std::string& name) const;
+  /// The same, or `otherwise` where there is no such array.
+  double number(const std::string& name, double otherwise) const {
+    return has(name) ? number(name) : otherwise;
+  }
   /// All finite and above `low`.
   std::vector<double> numbers(const std::string& name, const ArrayShape& shape,
                               double low = -std::numeric_limits<double>::infinity()) const;

@@ -10,10 +10,10 @@ enum class Scaling {
   shapeop,     ///< c = L_initial / L^2, as the paper's library; depends on the unit of length.
 };
 
-struct Weights {
+/// What a scene weighs its constraints with.
+struct Weights : TermWeights {
   double lateral = 5;
   double vertical = 40;
-  double angle = 1;
 };
 
 /// One flat layer of square cells whose struts rest at L0 (paper, in-plane stage).

@@ -14,6 +14,7 @@ namespace morphgrid {
 /// sqrt(T^2 - 4 s^2) that is `2 w s^2 / (T + D) = w (T - D) / 2`.
 struct CornerTerm {
   static constexpr int kEdges = 2;
+  static constexpr int kVertices = 3;
   using Vectors = EdgeVectors<kEdges>;  ///< One column for the arm a, one for b.
 
   double weight;       ///< w
@@ -21,7 +22,7 @@ struct CornerTerm {
 
   template <typename Visit>
   static void forEach(const StrutGrid& grid, Visit visit) {
-    const CornerTerm term{grid.angleWeight, leastSquareOf(grid)};
+    const CornerTerm term{grid.weights.angle, leastSquareOf(grid)};
     forEachCorner(grid.shape, [&](const Corner& corner) {
       visit(term, EdgeStencil<kEdges>{{{corner.apex, corner.a}, {corner.apex, corner.b}}});
     });

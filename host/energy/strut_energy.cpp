@@ -1,6 +1,8 @@
 #include "energy/strut_energy.h"
 
+#include <algorithm>
 #include <cmath>
+#include <type_traits>
 
 #include "energy/energy_terms.h"
 
@@ -11,6 +13,7 @@ using Eigen::Matrix3Xd;
 StrutEnergy::StrutEnergy(const StrutGrid& grid)
     : grid_(grid), constraintWeights_(Eigen::VectorXd::Zero(grid.shape.vertexCount())) {
   forEachTerm(grid, [&](const auto& term, const auto& stencil) {
+    mostVertices_ = std::max(mostVertices_, std::decay_t<decltype(term)>::kVertices);
     for (const Edge& edge : stencil) {
       constraintWeights_[edge.from] += term.projectionWeight();
       constraintWeights_[edge.to] += term.projectionWeight();

@@ -13,6 +13,7 @@ namespace morphgrid {
 /// n = e / l. Lengths are in the grid's unit, w c is energy over length squared.
 struct StrutTerm {
   static constexpr int kEdges = 1;
+  static constexpr int kVertices = 2;
   using Vectors = EdgeVectors<kEdges>;
 
   double stiffness;    ///< w c

@@ -40,9 +40,12 @@ void validate(const StrutGrid& grid) {
   if (!(std::isfinite(grid.spacing) && grid.spacing > 0)) {
     throw InputError(fmt::format("the spacing must be a finite number > 0, got {}", grid.spacing));
   }
-  if (!(std::isfinite(grid.angleWeight) && grid.angleWeight >= 0)) {
-    throw InputError(
-        fmt::format("the angle weight must be a finite number >= 0, got {}", grid.angleWeight));
+  for (const TermWeight& weight : kTermWeights) {
+    const double value = grid.weights.*weight.value;
+    if (!(std::isfinite(value) && value >= 0)) {
+      throw InputError(
+          fmt::format("the {} weight must be a finite number >= 0, got {}", weight.name, value));
+    }
   }
   if (!grid.positions.allFinite()) {
     throw InputError("every position of the grid must be finite");
@@ -56,7 +59,7 @@ void validate(const StrutGrid& grid) {
 
 StrutGrid layerAtRest(const GridShape& shape, double spacing, const Eigen::Matrix3Xd& points) {
   const GridShape layer = shape.layer();
-  StrutGrid grid{layer, spacing, points, StrutValues(layer), StrutValues(layer), 1.0};
+  StrutGrid grid{layer, spacing, points, StrutValues(layer), StrutValues(layer), {}};
   forEachStrut(layer, [&](const Strut& strut) {
     valueAt(grid.rest, strut) = lengthAt(points, strut);
     valueAt(grid.stiffness, strut) = 1;

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "grid/grid_topology.h"
+#include "grid/term_weights.h"
 
 namespace morphgrid {
 
@@ -23,7 +24,7 @@ struct StrutGrid {
   Eigen::Matrix3Xd positions;  ///< 3 x vertexCount, where the stage starts; the scene's unit.
   StrutValues rest;            ///< Rest lengths L, > 0 where there is a strut.
   StrutValues stiffness;       ///< w c of `w c (|e| - L)^2`, > 0 where there is a strut.
-  double angleWeight;          ///< w of every corner, >= 0.
+  TermWeights weights;         ///< All >= 0.
 };
 
 /// The value of a strut of the grid that the values belong to.

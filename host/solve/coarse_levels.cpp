@@ -20,9 +20,8 @@ bool areSolvedDirectly(const PointGrid& points, const GridShape& shape) {
   return points.count() <= most || coarsened(points) == points;
 }
 
-/// Every strut and corner spans at most three columns, and four points of a coarser level, so no
-/// eigenvalue of D^-1 A is larger.
-constexpr double kColumnSpectralRadius = 3;
+/// A term within one cell of the columns depends on at most four points of a coarser level, so no
+/// eigenvalue of D^-1 A is larger there. It spans at most as many columns as vertices.
 constexpr double kPointSpectralRadius = 4;
 
 using Matrix6d = Eigen::Matrix<double, 6, 6>;
@@ -113,7 +112,7 @@ CoarseLevels::CoarseLevels(const Device& device, const DeviceGrid& grid, const B
 
 void CoarseLevels::createLevels(const DeviceGrid& grid) {
   PointGrid points{grid.shape().verticesU, grid.shape().verticesV};
-  for (double bound = kColumnSpectralRadius;; bound = kPointSpectralRadius) {
+  for (double bound = grid.mostVertices();; bound = kPointSpectralRadius) {
     const bool coarsest = areSolvedDirectly(points, grid.shape());
     levels_.push_back(std::make_unique<const PointLevel>(
         device_, kernels_, points, coarsest ? MemoryKind::host : MemoryKind::device, bound));

@@ -50,15 +50,7 @@ PointKernel ColumnTransfer::kernel(ShaderCode spirv, std::vector<KernelResource>
 }
 
 ColumnPush ColumnTransfer::push(double damping) const {
-  const GridShape& shape = grid_.shape();
-  // Stiffnesses are loaded: no uniform ones.
-  const GridPush grid{sizeOf(shape),
-                      static_cast<float>(grid_.resolution()),
-                      static_cast<float>(grid_.restResolution()),
-                      static_cast<float>(grid_.angleWeight()),
-                      0,
-                      0};
-  return {grid, centreLayer(shape), static_cast<float>(damping), 0};
+  return {gridPushOf(grid_), centreLayer(grid_.shape()), static_cast<float>(damping), 0};
 }
 
 void ColumnTransfer::recordCentres(CommandStream& stream) const {

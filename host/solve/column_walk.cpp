@@ -16,6 +16,17 @@ std::uint32_t groupsFor(int count, std::uint32_t groupSize) {
   return (static_cast<std::uint32_t>(count) + groupSize - 1) / groupSize;
 }
 
+GridPush gridPushOf(const DeviceGrid& grid) {
+  const auto stiffness = grid.uniformStiffness().value_or(UniformStiffness{});
+  const auto& [angleWeight] = grid.weights();  // Names all of them, or does not compile.
+  return {.size = sizeOf(grid.shape()),
+          .resolution = static_cast<float>(grid.resolution()),
+          .restResolution = static_cast<float>(grid.restResolution()),
+          .angleWeight = static_cast<float>(angleWeight),
+          .lateralStiffness = stiffness.lateral,
+          .verticalStiffness = stiffness.vertical};
+}
+
 ColumnWalk::ColumnWalk(const Device& device, const DeviceGrid& grid, std::uint32_t blockV,
                        LayerLoop loop)
     : grid_(grid),
@@ -27,22 +38,12 @@ ColumnWalk::ColumnWalk(const Device& device, const DeviceGrid& grid, std::uint32
 std::vector<std::uint32_t> ColumnWalk::constants(bool measures) const {
   const auto layers = static_cast<std::uint32_t>(grid_.shape().layers);
   const bool unrolled = loop_ == LayerLoop::unrolled && layers <= kUnrolledLayers;
-  std::vector<std::uint32_t> constants(kConstantMeasures + 1);
+  std::vector<std::uint32_t> constants(kColumnConstants);
   constants[kConstantSubgroupSize] = subgroupSize_;
   constants[kConstantLayers] = unrolled ? layers : 0;
   constants[kConstantUniformStiffness] = grid_.uniformStiffness() ? 1 : 0;
   constants[kConstantMeasures] = measures ? 1 : 0;
   return constants;
-}
-
-GridPush ColumnWalk::push() const {
-  const auto stiffness = grid_.uniformStiffness().value_or(UniformStiffness{});
-  return {sizeOf(grid_.shape()),
-          static_cast<float>(grid_.resolution()),
-          static_cast<float>(grid_.restResolution()),
-          static_cast<float>(grid_.angleWeight()),
-          stiffness.lateral,
-          stiffness.vertical};
 }
 
 TexelView integerTexels(const Device& device, const Buffer& buffer) {

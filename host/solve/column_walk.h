@@ -15,6 +15,9 @@ enum class LayerLoop { unrolled, rolled };
 /// The choice that takes less time for a kernel that runs a few hundred times, compiling included.
 LayerLoop layerLoopFor(const GridShape& shape);
 
+/// What the kernels of a grid get told.
+GridPush gridPushOf(const DeviceGrid& grid);
+
 /// How kernels that include shaders/solve/columns.glsl are specialised and dispatched for a grid.
 class ColumnWalk {
  public:
@@ -26,7 +29,7 @@ class ColumnWalk {
   /// Specialisation constants in the order of their numbers, kConstantLayers and so on. measures:
   /// the kernel sums up energy and residual, as only sweeps may.
   std::vector<std::uint32_t> constants(bool measures = false) const;
-  GridPush push() const;
+  GridPush push() const { return gridPushOf(grid_); }
 
   std::uint32_t groupsU() const { return groupsU_; }
   std::uint32_t groupsV() const { return groupsV_; }

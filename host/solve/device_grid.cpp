@@ -122,12 +122,14 @@ void DeviceGrid::assign(const StrutGrid& grid) {
 }
 
 void DeviceGrid::take(const StrutGrid& grid) {
+  const StrutEnergy energy(grid);
   spacing_ = grid.spacing;
-  angleWeight_ = grid.angleWeight;
+  weights_ = grid.weights;
+  mostVertices_ = energy.mostVertices();
   restResolution_ = chooseRestResolution(grid);
   origin_ = grid.positions.rowwise().mean();
   uniformStiffness_ = findUniformStiffness(grid);
-  storage_->stepsPerForce = (2 * StrutEnergy(grid).constraintWeights()).cwiseInverse();
+  storage_->stepsPerForce = (2 * energy.constraintWeights()).cwiseInverse();
   uploadPositions(grid.positions);
   uploadRest(grid.rest);
   upload(device_, storage_->stiffness, packStiffness(grid.stiffness));

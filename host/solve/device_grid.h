@@ -32,7 +32,9 @@ class DeviceGrid {
 
   const GridShape& shape() const { return shape_; }
   double spacing() const { return spacing_; }
-  double angleWeight() const { return angleWeight_; }
+  const TermWeights& weights() const { return weights_; }
+  /// See StrutEnergy::mostVertices().
+  int mostVertices() const { return mostVertices_; }
   /// Spacings per step of the fixed-point positions, a power of two.
   double resolution() const { return resolution_; }
   /// Spacings per step of the fixed-point rest lengths, a power of two.
@@ -83,7 +85,8 @@ class DeviceGrid {
   GridShape shape_;
   double resolution_;
   double spacing_ = 1;
-  double angleWeight_ = 0;
+  TermWeights weights_;
+  int mostVertices_ = 0;
   double restResolution_ = 1;
   Eigen::Vector3d origin_ = Eigen::Vector3d::Zero();
   std::optional<UniformStiffness> uniformStiffness_;

@@ -28,6 +28,7 @@ GridHessian::GridHessian(const Device& device, const DeviceGrid& grid, LayerLoop
       positionsView_(integerTexels(device, positions_)),
       inverseDiagonal_(device, shape_.vertexCount()),
       inverseOffDiagonal_(device, shape_.vertexCount()),
+      smoothingWeight_(2.0 / grid.mostVertices()),
       products_(device, hessian_product_comp_spirv, sizeof(HessianPush), walk_.constants()),
       exactProducts_(device, exact_product_comp_spirv, sizeof(HessianPush), walk_.constants()),
       residuals_(device, hessian_residual_comp_spirv, sizeof(HessianPush), walk_.constants()),

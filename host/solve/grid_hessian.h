@@ -27,10 +27,6 @@ class GridHessian {
     Dispatch dispatch_;
   };
 
-  /// Every strut and corner spans at most three vertices, so no eigenvalue of D^-1 H is larger. The
-  /// largest one is 2.0 to 2.1 at the usual weights, up to 2.7 where only corners count.
-  static constexpr double kSpectralRadiusBound = 3;
-
   /// Keeps references. Throws DeviceError when the grid exceeds the device's limits.
   GridHessian(const Device& device, const DeviceGrid& grid, LayerLoop loop = LayerLoop::unrolled);
 
@@ -52,7 +48,9 @@ class GridHessian {
   /// What is recorded from now on adds `damping` times the Laplacian whose edges weigh 1 to H.
   void setDamping(double damping) { damping_ = damping; }
 
-  /// omega of what is recorded from now on. The default is the largest that can amplify nothing.
+  /// omega of what is recorded from now on. The default is the largest that can amplify nothing: 2
+  /// by DeviceGrid::mostVertices(). With struts and corners that is 3; the largest eigenvalue of
+  /// D^-1 H is 2.0 to 2.1 at the usual weights, up to 2.7 where only corners count.
   void setSmoothingWeight(double omega) { smoothingWeight_ = omega; }
 
   /// The linearisation point, as DeviceGrid::positions().
@@ -72,7 +70,7 @@ class GridHessian {
   VertexVector inverseDiagonal_;
   VertexVector inverseOffDiagonal_;
   double damping_ = 0;
-  double smoothingWeight_ = 2 / kSpectralRadiusBound;
+  double smoothingWeight_;
   KernelFamily products_;
   KernelFamily exactProducts_;
   KernelFamily residuals_;

@@ -90,11 +90,13 @@ void MultigridSolver::setRest(const StrutValues& rest) {
 
 void MultigridSolver::setGrid(StrutGrid grid) {
   const bool wasUniform = deviceGrid_->uniformStiffness().has_value();
+  const int mostVertices = deviceGrid_->mostVertices();
   deviceGrid_->assign(grid);
   grid_ = std::move(grid);
   energy_ = std::make_unique<StrutEnergy>(grid_);
-  if (deviceGrid_->uniformStiffness().has_value() != wasUniform) {
-    adjoint_.reset();  // Kernels are specialised for it.
+  if (deviceGrid_->uniformStiffness().has_value() != wasUniform ||
+      deviceGrid_->mostVertices() != mostVertices) {
+    adjoint_.reset();  // Kernels and smoothers are made for them.
     descent_.reset();
   } else if (descent_) {
     descent_->forgetHessian();

@@ -239,7 +239,7 @@ double largestTurn(const StrutGrid& grid) {
 
 StrutGrid coarsened(const StrutGrid& fine, const GridShape& shape) {
   using enum Strut::Direction;
-  StrutGrid coarse{shape, 0, {}, StrutValues(shape), StrutValues(shape), fine.angleWeight};
+  StrutGrid coarse{shape, 0, {}, StrutValues(shape), StrutValues(shape), fine.weights};
   coarse.spacing = fine.spacing * std::max(fine.shape.cellsU(), fine.shape.cellsV()) /
                    std::max(shape.cellsU(), shape.cellsV());
   coarse.rest.u = coarsenLateral(fine.shape, fine.rest.u, shape, u, false);
@@ -281,9 +281,9 @@ double meanLateralStiffness(const StrutGrid& grid) {
 /// Problems that differ from the last one by heavier and heavier corners.
 void addHeavierCorners(std::vector<NestedGrid>& grids) {
   const double stiffness = meanLateralStiffness(grids.back().grid);
-  while (grids.back().grid.angleWeight < kLightCorner * stiffness) {
+  while (grids.back().grid.weights.angle < kLightCorner * stiffness) {
     grids.push_back(grids.back());
-    double& weight = grids.back().grid.angleWeight;
+    double& weight = grids.back().grid.weights.angle;
     weight = std::max(kCornerFactor * weight, kLightestCorner * stiffness);
   }
 }

@@ -62,13 +62,23 @@ StrutValues readStruts(const ArrayReader& reader, const std::string& name, const
   return values;
 }
 
+TermWeights readWeights(const ArrayReader& reader) {
+  TermWeights weights;
+  for (const TermWeight& weight : kTermWeights) {
+    const std::string array = weightArray(weight);
+    weights.*weight.value =
+        weight.before ? reader.number(array, *weight.before) : reader.number(array);
+  }
+  return weights;
+}
+
 StrutGrid readGrid(const ArrayReader& reader, const GridShape& shape) {
   StrutGrid grid{shape,
                  reader.number("spacing"),
                  reader.points("printed_positions", StateShapes(shape).points()),
                  readStruts(reader, "rest", shape),
                  readStruts(reader, "stiffness", shape),
-                 reader.number("angle_weight")};
+                 readWeights(reader)};
   try {
     validate(grid);
   } catch (const InputError&) {

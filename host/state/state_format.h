@@ -1,4 +1,6 @@
 #pragma once
+#include <string>
+
 #include "core/array_file.h"
 #include "grid/strut_grid.h"
 
@@ -6,6 +8,11 @@ namespace morphgrid {
 
 /// Raise the version when what was written before can no longer be read.
 inline constexpr ArrayFormat kStateFormat{"morphgrid state", 1, "state", "run the scene again"};
+
+/// The name of a weight's array.
+inline std::string weightArray(const TermWeight& weight) {
+  return std::string(weight.name) + "_weight";
+}
 
 /// The shapes of a grid's arrays: the layer, then v, then u.
 struct StateShapes {

@@ -50,7 +50,9 @@ void addStruts(ArrayList& arrays, const std::string& name, const GridShape& shap
 
 void addGrid(ArrayList& arrays, const StrutGrid& grid) {
   arrays.add("spacing", grid.spacing);
-  arrays.add("angle_weight", grid.angleWeight);
+  for (const TermWeight& weight : kTermWeights) {
+    arrays.add(weightArray(weight), grid.weights.*weight.value);
+  }
   arrays.add("printed_positions", StateShapes(grid.shape).points(), grid.positions);
   addStruts(arrays, "rest", grid.shape, grid.rest);
   addStruts(arrays, "stiffness", grid.shape, grid.stiffness);

@@ -37,7 +37,7 @@ struct ReductionPush {
 };
 
 #ifdef __cplusplus
-static_assert(sizeof(HessianPush) == 40);
+static_assert(offsetof(HessianPush, weight) == sizeof(GridPush) + 4);
 static_assert(sizeof(ReductionPush) == 4);
 }  // namespace morphgrid
 #endif

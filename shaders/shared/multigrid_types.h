@@ -65,7 +65,7 @@ struct CoarsestPush {
 #ifdef __cplusplus
 static_assert(sizeof(SmoothingPush) == 16);
 static_assert(sizeof(TransferPush) == 24);
-static_assert(sizeof(ColumnPush) == 44);
+static_assert(offsetof(ColumnPush, firstRow) == sizeof(GridPush) + 8);
 static_assert(sizeof(CoarsestPush) == 4);
 }  // namespace morphgrid
 #endif

@@ -2,6 +2,7 @@
 #ifndef MORPHGRID_SOLVER_TYPES_H
 #define MORPHGRID_SOLVER_TYPES_H
 #ifdef __cplusplus
+#include <cstddef>
 #include <cstdint>
 #include <glm/glm.hpp>
 namespace morphgrid {
@@ -12,8 +13,10 @@ using glm::uvec4;
 using glm::vec4;
 using uint = std::uint32_t;
 #define CONSTANT constexpr
+#define ALIGN_AS_GLSL alignas(16)
 #else
 #define CONSTANT const
+#define ALIGN_AS_GLSL
 #endif
 
 // Positions are fixed-point integers, ivec4 a vertex: x, y, z, and in w ten more bits of each.
@@ -52,13 +55,15 @@ CONSTANT uint kConstantSubgroupSize = 0u;
 CONSTANT uint kConstantLayers = 1u;            // 0: known at run time only; works for any number.
 CONSTANT uint kConstantUniformStiffness = 2u;  // bool
 CONSTANT uint kConstantMeasures = 3u;          // bool, of the sweep
+CONSTANT uint kColumnConstants = 4u;           // how many there are
 
 // Rest lengths are an ivec4 a vertex: L of its struts to +u, +v and +w in fixed point, and in w the
 // bits of a float: how far the vertex steps per unit of force.
 
 // What every walk through the columns (columns.glsl) needs. Lengths are in units of the spacing,
-// energies in stiffness x spacing^2.
-struct GridPush {
+// energies in stiffness x spacing^2. GLSL rounds its size up to the ivec3's alignment, 16 bytes: what
+// follows it lies behind that.
+struct ALIGN_AS_GLSL GridPush {
   ivec3 size;            // Vertices of the grid, see topology.h.
   float resolution;      // Spacings per step of the fixed-point positions, a power of two.
   float restResolution;  // Spacings per step of the fixed-point rest lengths, a power of two.
@@ -91,12 +96,13 @@ struct SolverSample {
 };
 
 #ifdef __cplusplus
-static_assert(sizeof(GridPush) == 32);
-static_assert(sizeof(SweepPush) == 36);
+static_assert(sizeof(GridPush) % 16 == 0);
+static_assert(offsetof(SweepPush, sweep) == sizeof(GridPush));
 static_assert(sizeof(ControlPush) == 12);
 static_assert(sizeof(SolverState) == 16);
 static_assert(sizeof(SolverSample) == 8);
 }  // namespace morphgrid
 #endif
 #undef CONSTANT
+#undef ALIGN_AS_GLSL
 #endif

@@ -56,22 +56,24 @@ Derivative differentiate(Vertex previous, Vertex apex, Vertex next) {
                     rowOf(ofPrevious, previous));
 }
 
+// What a term of the ring p, a, d, b adds, weight J^T J with J as rows of their columns.
+void addRing(float weight, Motion rowP, Motion rowA, Motion rowD, Motion rowB) {
+  addOuter(withP, weight, rowP, rowP);
+  addOuter(withA, weight, rowP, rowA);
+  addOuter(withD, weight, rowP, rowD);
+  addOuter(withB, weight, rowP, rowB);
+}
+
 // The ring p, a, d, b in one layer; the corner at d leaves p alone.
 void addLateralFace(float share, int layer) {
   Vertex atP = vertexAt(p, layer, centreP), atA = vertexAt(a, layer, centreA);
   Vertex atB = vertexAt(b, layer, centreB), atD = vertexAt(d, layer, centreD);
   Derivative c = differentiate(atB, atP, atA);
-  addOuter(withP, share * c.weight, c.apex, c.apex);
-  addOuter(withA, share * c.weight, c.apex, c.next);
-  addOuter(withB, share * c.weight, c.apex, c.previous);
+  addRing(share * c.weight, c.apex, c.next, kNoMotion, c.previous);
   c = differentiate(atP, atA, atD);
-  addOuter(withP, share * c.weight, c.previous, c.previous);
-  addOuter(withA, share * c.weight, c.previous, c.apex);
-  addOuter(withD, share * c.weight, c.previous, c.next);
+  addRing(share * c.weight, c.previous, c.apex, c.next, kNoMotion);
   c = differentiate(atD, atB, atP);
-  addOuter(withP, share * c.weight, c.next, c.next);
-  addOuter(withB, share * c.weight, c.next, c.apex);
-  addOuter(withD, share * c.weight, c.next, c.previous);
+  addRing(share * c.weight, c.next, kNoMotion, c.previous, c.apex);
 }
 
 void addWithinColumns(float weight, Motion rowP, Motion rowA) {

@@ -40,12 +40,11 @@ Vertex vertexAt(int index);
 // The vertex's gradient is complete; what is not `owned` must not be stored.
 void finish(int index, bool owned, Vertex vertex, vec3 gradient, float stepPerForce);
 
-// What the terms add to the gradient with respect to an edge. The factors are those of the edge and of its
-// change (energy/edge.glsl); corners count per angle weight.
+// What the terms add to the gradient with respect to an edge, with their weights: any vector, or factors of
+// the edge and of its change (energy/edge.glsl), which are cheaper.
 struct EdgeSum {
-  vec2 strut;
-  vec2 corners;
-  vec3 otherEdges;  // What corners add along their other edges.
+  vec2 factors;
+  vec3 gradient;
 };
 
 // A vertex until its gradient is complete.
@@ -55,7 +54,7 @@ struct VertexSum {
   float stepPerForce;
 };
 
-const EdgeSum kNoSum = EdgeSum(vec2(0), vec2(0), vec3(0));
+const EdgeSum kNoSum = EdgeSum(vec2(0), vec3(0));
 
 // The block's columns are [1..kBlockV][1..kBlockU] of a ring that holds their neighbours too.
 const int kRingU = kBlockU + 2;
@@ -126,10 +125,12 @@ void addEnergy(bool counted, Squared term) {
 
 void addCorner(bool counted, Edge a, Edge b, inout EdgeSum sumOfA, inout EdgeSum sumOfB) {
   CornerGradient corner = cornerTerm(kDerivative, a, b);
-  sumOfA.corners += corner.diagonal;
-  sumOfB.corners += corner.diagonal;
-  sumOfA.otherEdges += scaled(b, corner.coupling);
-  sumOfB.otherEdges += scaled(a, corner.coupling);
+  vec2 diagonal = GRID.angleWeight * corner.diagonal;
+  vec2 coupling = GRID.angleWeight * corner.coupling;
+  sumOfA.factors += diagonal;
+  sumOfB.factors += diagonal;
+  sumOfA.gradient += scaled(b, coupling);
+  sumOfB.gradient += scaled(a, coupling);
   addEnergy(counted, GRID.angleWeight * corner.energy);
 }
 
@@ -167,7 +168,7 @@ void addCorners() {
 
 void addStrut(bool counted, Edge e, int rest, float stiffness, inout EdgeSum sum) {
   StrutGradient strut = strutTerm(kDerivative, e, Spring(rest, GRID.restResolution, stiffness));
-  sum.strut += strut.diagonal;
+  sum.factors += strut.diagonal;
   addEnergy(counted, strut.energy);
 }
 
@@ -195,8 +196,7 @@ void addStruts(int start) {
 
 // The gradient with respect to an edge, at its ends.
 void addToEnds(Edge e, EdgeSum sum, inout VertexSum from, inout VertexSum to) {
-  vec2 factors = sum.strut + vec2(0, DAMPING) + GRID.angleWeight * sum.corners;
-  vec3 gradient = scaled(e, factors) + GRID.angleWeight * sum.otherEdges;
+  vec3 gradient = scaled(e, sum.factors + vec2(0, DAMPING)) + sum.gradient;
   from.gradient -= gradient;
   to.gradient += gradient;
 }

@@ -5,7 +5,9 @@
 #include <Eigen/Dense>
 #include <cmath>
 #include <numbers>
+#include <set>
 
+#include "energy/strut_energy.h"
 #include "tests/solve/dense_hessian.h"
 #include "tests/solve/sample_grids.h"
 
@@ -173,6 +175,20 @@ TEST(StrutTerm, VanishingEdgeStaysFinite) {
   EXPECT_TRUE(term.evaluate(Vector3d::Zero()).gradient.allFinite());
   EXPECT_TRUE(term.hessianProduct(Vector3d::Zero(), Vector3d::Ones()).allFinite());
   EXPECT_TRUE(term.gaussNewton(Vector3d::Zero()).allFinite());
+}
+
+TEST(EnergyTerms, StencilsSpanAsManyVerticesAsSaid) {
+  const StrutGrid grid = bentGrid({3, 4, 3}, 3);
+  int most = 0;
+  forEachTerm(grid, [&]<typename Term>(const Term&, const EdgeStencil<Term::kEdges>& stencil) {
+    std::set<int> vertices;
+    for (const Edge& edge : stencil) {
+      vertices.insert({edge.from, edge.to});
+    }
+    ASSERT_EQ(static_cast<int>(vertices.size()), Term::kVertices);
+    most = std::max(most, Term::kVertices);
+  });
+  EXPECT_EQ(StrutEnergy(grid).mostVertices(), most);
 }
 
 // The blocks of all terms together are the Hessian that the device is tested against.

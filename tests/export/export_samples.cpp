@@ -46,7 +46,7 @@ ExportSample exportSample(const GridShape& shape) {
   std::mt19937_64 random(7);
   std::uniform_real_distribution<double> jitter(-0.2, 0.2);
   ExportSample sample{
-      .grid = {.shape = shape, .spacing = 1, .rest = StrutValues(shape), .angleWeight = 1}};
+      .grid = {.shape = shape, .spacing = 1, .rest = StrutValues(shape), .weights = {1}}};
   sample.positions.resize(3, shape.vertexCount());
   for (int vertex = 0; vertex < shape.vertexCount(); ++vertex) {
     const int onLayer = vertex % shape.layerVertexCount();

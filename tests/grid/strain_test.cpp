@@ -9,7 +9,7 @@ namespace {
 
 /// A box lattice of steps 1, 2, 3 along u, v, w, whose struts rest at those lengths.
 StrutGrid boxGrid(const GridShape& shape) {
-  StrutGrid grid{.shape = shape, .spacing = 1, .rest = StrutValues(shape), .angleWeight = 1};
+  StrutGrid grid{.shape = shape, .spacing = 1, .rest = StrutValues(shape), .weights = {1}};
   grid.positions.resize(3, shape.vertexCount());
   for (int k = 0; k < shape.layers; ++k) {
     for (int j = 0; j < shape.verticesV; ++j) {

@@ -39,7 +39,7 @@ TEST(Validate, NamesWhatIsWrong) {
   grid.spacing = 0;
   EXPECT_THROW(validate(grid), InputError);
   grid = good;
-  grid.angleWeight = -1;
+  grid.weights.angle = -1;
   EXPECT_THROW(validate(grid), InputError);
   grid = good;
   grid.shape = {1, 12, 1};

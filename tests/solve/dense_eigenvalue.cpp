@@ -47,7 +47,7 @@ StrutGrid tightRimmedSheet(const GridShape& shape, double shrink) {
   constexpr double kLayerSpacing = 0.1;
   StrutGrid grid{
       shape, 1.0, Eigen::Matrix3Xd(3, shape.vertexCount()), StrutValues(shape), StrutValues(shape),
-      1.0};
+      {}};
   for (int n = 0; n < shape.vertexCount(); ++n) {
     const int inLayer = n % shape.layerVertexCount();
     grid.positions.col(n) = Vector3d(inLayer % shape.verticesU, inLayer / shape.verticesU,

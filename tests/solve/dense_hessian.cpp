@@ -71,7 +71,7 @@ MatrixXd denseHessian(const StrutGrid& grid) {
                 (along + std::max(0.0, stretch) * (Matrix3d::Identity() - along)));
   });
   forEachCorner(grid.shape,
-                [&](const Corner& corner) { addCorner(matrix, corner, x, grid.angleWeight); });
+                [&](const Corner& corner) { addCorner(matrix, corner, x, grid.weights.angle); });
   return matrix;
 }
 

@@ -41,7 +41,7 @@ class MultigridExtremes : public Multigrid, public testing::WithParamInterface<E
 TEST_P(MultigridExtremes, AgreesWithTheOracle) {
   StrutGrid grid = bentGrid({9, 7, 3}, 8);
   std::fill(grid.stiffness.w.begin(), grid.stiffness.w.end(), GetParam().vertical);
-  grid.angleWeight = GetParam().angle;
+  grid.weights.angle = GetParam().angle;
   const Equilibrium found = solve(grid);
   EXPECT_TRUE(found.converged) << toString(found.reason);
   const double lowest = energyDownhillFrom(found, grid);

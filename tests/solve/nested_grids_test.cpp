@@ -69,22 +69,22 @@ TEST(NestedGrids, StopWhereStrutsWouldTurnTooFar) {
 
 TEST(NestedGrids, BeginWithHeavierCornersWhereTheyAreLight) {
   StrutGrid grid = bentGrid({18, 9, 2}, 3);  // Lateral stiffness 5.
-  grid.angleWeight = 0.01;
+  grid.weights.angle = 0.01;
   const auto grids = nestGrids(grid);
   ASSERT_EQ(grids.size(), 4u);
-  EXPECT_DOUBLE_EQ(grids[0].grid.angleWeight, 1);
-  EXPECT_DOUBLE_EQ(grids[1].grid.angleWeight, 0.1);
+  EXPECT_DOUBLE_EQ(grids[0].grid.weights.angle, 1);
+  EXPECT_DOUBLE_EQ(grids[1].grid.weights.angle, 0.1);
   EXPECT_EQ(grids[1].grid.shape, grids[2].grid.shape);
-  EXPECT_EQ(grids[2].grid.angleWeight, 0.01);
+  EXPECT_EQ(grids[2].grid.weights.angle, 0.01);
   EXPECT_EQ(grids[3].grid.shape, grid.shape);
 }
 
 TEST(NestedGrids, CornersMayWeighNothing) {
   StrutGrid grid = bentGrid({5, 5, 2}, 3);
-  grid.angleWeight = 0;
+  grid.weights.angle = 0;
   const auto grids = nestGrids(grid);
-  EXPECT_GT(grids.front().grid.angleWeight, 0.1);
-  EXPECT_EQ(grids.back().grid.angleWeight, 0);
+  EXPECT_GT(grids.front().grid.weights.angle, 0.1);
+  EXPECT_EQ(grids.back().grid.weights.angle, 0);
 }
 
 TEST(NestedGrids, ProlongationReproducesCubicsAndOffsets) {

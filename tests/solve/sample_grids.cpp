@@ -11,7 +11,7 @@ StrutGrid bentGrid(const GridShape& shape, unsigned seed) {
   constexpr double kLayerSpacing = 0.3;
   StrutGrid grid{
       shape, 1.0, Eigen::Matrix3Xd(3, shape.vertexCount()), StrutValues(shape), StrutValues(shape),
-      1.0};
+      {}};
   for (int k = 0; k < shape.layers; ++k) {
     for (int j = 0; j < shape.verticesV; ++j) {
       for (int i = 0; i < shape.verticesU; ++i) {

@@ -30,7 +30,7 @@ void expectEqual(const StrutGrid& a, const StrutGrid& b) {
   EXPECT_EQ(a.positions, b.positions);
   expectEqual(a.rest, b.rest);
   expectEqual(a.stiffness, b.stiffness);
-  EXPECT_EQ(a.angleWeight, b.angleWeight);
+  EXPECT_EQ(a.weights.angle, b.weights.angle);
 }
 
 void expectEqual(const GridDesign& a, const GridDesign& b) {

@@ -1,11 +1,13 @@
 #include "benchmark/avx2_sweep.h"
 
+#include <fmt/format.h>
 #include <immintrin.h>
 
 #include <algorithm>
 #include <barrier>
 #include <thread>
 
+#include "core/error.h"
 #include "energy/strut_energy.h"
 
 // Only what follows: Eigen's types above must keep the alignment that the other files know.
@@ -83,6 +85,18 @@ inline Floats strutFactor(Floats squaredLength, Floats rest, Floats stiffness) {
   return Floats::all(2) * stiffness * (Floats::all(1) - rest / length);
 }
 
+/// The loops below know no other constraints.
+void requireStrutsAndCornersAlone(const StrutGrid& grid) {
+  for (const TermWeight& weight : kTermWeights) {
+    if (weight.value != &TermWeights::angle && grid.weights.*weight.value != 0) {
+      throw InputError(
+          fmt::format("the AVX2 sweep knows struts and corners only: the {} weight must be 0, got "
+                      "{}",
+                      weight.name, grid.weights.*weight.value));
+    }
+  }
+}
+
 }  // namespace
 
 /// Gradients of three rows at a time, every layer: what the rows still to come may add to.
@@ -114,9 +128,10 @@ struct Avx2Sweep::Window {
 Avx2Sweep::Avx2Sweep(const StrutGrid& grid)
     : shape_(grid.shape),
       spacing_(grid.spacing),
-      angleWeight_(static_cast<float>(grid.angleWeight)),
+      angleWeight_(static_cast<float>(grid.weights.angle)),
       origin_(grid.positions.rowwise().mean()),
       pitch_((grid.shape.verticesU + kLanes - 1) / kLanes * kLanes + 2 * kLanes) {
+  requireStrutsAndCornersAlone(grid);
   const auto size = static_cast<std::size_t>(pitch_) * shape_.verticesV * shape_.layers;
   for (auto* field : {&now_.x, &now_.y, &now_.z, &next_.x, &next_.y, &next_.z, &restU_, &restV_,
                       &restW_, &stiffnessU_, &stiffnessV_, &stiffnessW_, &stepPerForce_}) {

@@ -42,7 +42,7 @@ StrutGrid saddleGrid(int vertexCount) {
   constexpr int kLayers = 3;
   constexpr double kTau = 0.35;
   const int edge = static_cast<int>(std::lround(std::sqrt(double(vertexCount) / kLayers)));
-  StrutGrid grid{{edge, edge, kLayers}, 1.0, {}, {}, {}, 1.0};
+  StrutGrid grid{{edge, edge, kLayers}, 1.0, {}, {}, {}, {}};
   const GridShape& shape = grid.shape;
   grid.positions.resize(3, shape.vertexCount());
   grid.rest = StrutValues(shape);
