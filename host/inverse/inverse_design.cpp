@@ -23,8 +23,8 @@ constexpr int kLineSearchSteps = 6;
 constexpr double kBacktracking = 0.3;
 // On the way an equilibrium need not be better than the distance that it is measured for.
 constexpr double kEnergyTolerance = 1e-8;
-// A tighter adjoint gives no better step (tried: 1e-3 takes twice the products).
-constexpr double kAdjointTolerance = 0.03;
+// A tighter adjoint gives no better step (tried: 1e-3 takes half as many products more).
+constexpr double kAdjointTolerance = 0.01;
 constexpr int kQuietSteps = 1;
 // After so many steps the equilibrium is solved as well as the last one will be.
 constexpr int kStepsToSettle = 10;

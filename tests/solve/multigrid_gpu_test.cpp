@@ -111,7 +111,7 @@ TEST_F(Multigrid, BuffersWrittenInChunksChangeNoBit) {
 StrutGrid otherGrid(const GridShape& shape) {
   StrutGrid grid = bentGrid(shape, 9);
   grid.spacing = 2;
-  grid.angleWeight = 3;
+  grid.weights.angle = 3;
   grid.positions.array() = 2 * grid.positions.array() + 5;
   for (std::vector<double>* lengths : {&grid.rest.u, &grid.rest.v, &grid.rest.w}) {
     for (double& length : *lengths) length *= 2;
@@ -144,7 +144,7 @@ TEST_F(Multigrid, AnotherGridNearItsAnswerDoesTooAndAnswersToForces) {
   MultigridSolver solver(device_, bentGrid(shape, 8));
   const Eigen::Matrix3Xd near = solver.solve({}).positions;
   StrutGrid grid = bentGrid(shape, 8);
-  grid.angleWeight = 2;
+  grid.weights.angle = 2;
   Eigen::Matrix3Xd forces = Eigen::Matrix3Xd::Zero(3, shape.vertexCount());
   forces(2, 0) = forces(2, 1) = 1;
   forces(2, 2) = -2;

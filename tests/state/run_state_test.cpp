@@ -30,7 +30,9 @@ void expectEqual(const StrutGrid& a, const StrutGrid& b) {
   EXPECT_EQ(a.positions, b.positions);
   expectEqual(a.rest, b.rest);
   expectEqual(a.stiffness, b.stiffness);
-  EXPECT_EQ(a.weights.angle, b.weights.angle);
+  for (const TermWeight& weight : kTermWeights) {
+    EXPECT_EQ(a.weights.*weight.value, b.weights.*weight.value) << weight.name;
+  }
 }
 
 void expectEqual(const GridDesign& a, const GridDesign& b) {
