@@ -197,7 +197,8 @@ TEST_F(InverseDesignRun, ALostDeviceLeavesTheBestDesignSoFar) {
   const auto& steps = left["inverse_design"]["steps"];
   ASSERT_GT(steps.size(), 3);
   EXPECT_LT(rmsOf(left["distance_to_target"]), 0.5 * rmsOf(steps.front()));
-  EXPECT_NEAR(rmsOf(left["distance_to_target"]), rmsOf(steps.back()), 1e-6);
+  // It may have been settled, or improved, since that step was reported.
+  EXPECT_LT(rmsOf(left["distance_to_target"]), 1.001 * rmsOf(steps.back()));
   EXPECT_EQ(runMorphgrid(design("resumed", {"--quiet", "--resume", checkpoint()})).exitCode, 0);
 }
 

@@ -53,6 +53,18 @@ class ViewerWindow : public testing::Test {
 
   Image shot() { return readPng(desktop_.screenshot("shot").string()); }
 
+  /// When the window has come to rest: what stays is drawn finer after a while.
+  Image stillShot() {
+    Image last = shot();
+    for (int n = 0, still = 0; n < kLooks && still < 2; ++n) {
+      desktop_.run("sleep 0.5");
+      const Image next = shot();
+      still = differenceOf(next, last).mean < kOther ? still + 1 : 0;
+      last = next;
+    }
+    return last;
+  }
+
   /// Whether the window comes to differ from `image` so, by the mean of a byte.
   bool awaitPicture(const std::function<bool(double difference)>& isSo, const Image& image) {
     for (int n = 0; n < kLooks; ++n) {
@@ -133,8 +145,7 @@ TEST_F(ViewerWindow, ADamagedStateIsToldWithoutAWindow) {
 TEST_F(ViewerWindow, DrawsStrutsInTheStyleThatTheUserChooses) {
   const auto viewer = start();
   focus("^Dome, warped: at rest");
-  desktop_.run("sleep 1");  // A picture that stays is drawn finer.
-  const Image automatic = shot();
+  const Image automatic = stillShot();
   Image last = automatic;
   for (const char* style : {"lines", "ribbons", "tubes"}) {
     desktop_.press("s");
