@@ -51,6 +51,17 @@ class ViewerWindow : public testing::Test {
     desktop_.run("xdotool windowfocus --sync " + id);
   }
 
+  /// A desktop with much else to do may lose a key, as it may a user's, who then presses it again.
+  bool pressUntil(const std::string& keys, const std::string& title) {
+    for (int attempt = 0; attempt < 3; ++attempt) {
+      desktop_.press(keys);
+      if (!desktop_.awaitWindow(title).empty()) {
+        return true;
+      }
+    }
+    return false;
+  }
+
   Image shot() { return readPng(desktop_.screenshot("shot").string()); }
 
   /// When the window has come to rest: what stays is drawn finer after a while.
@@ -126,10 +137,8 @@ TEST_F(ViewerWindow, OpensAFinishedRunThatLooksAsItsSceneDoes) {
   focus("^Dome, warped: at rest .*, as stored");
   desktop_.run("sleep 1");  // A picture that stays is drawn finer.
   expectGolden("viewer_stored_run", "viewer_window");
-  desktop_.press("r");
-  EXPECT_NE(desktop_.awaitWindow("^Dome, warped: at rest .* s$"), "");
-  desktop_.press("ctrl+r");
-  EXPECT_NE(desktop_.awaitWindow("^Dome, warped: at rest .*, as stored"), "");
+  EXPECT_TRUE(pressUntil("r", "^Dome, warped: at rest .* s$"));
+  EXPECT_TRUE(pressUntil("ctrl+r", "^Dome, warped: at rest .*, as stored"));
   desktop_.press("ctrl+s");
   expectQuit(*viewer);
   EXPECT_TRUE(std::filesystem::exists(run / "dome_edited.toml"));
