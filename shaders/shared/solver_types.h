@@ -61,8 +61,8 @@ CONSTANT uint kColumnConstants = 4u;           // how many there are
 // bits of a float: how far the vertex steps per unit of force.
 
 // What every walk through the columns (columns.glsl) needs. Lengths are in units of the spacing,
-// energies in stiffness x spacing^2. GLSL rounds its size up to the ivec3's alignment, 16 bytes: what
-// follows it lies behind that.
+// energies in stiffness x spacing^2. GLSL rounds its size up to the ivec3's alignment, 16 bytes:
+// what follows it lies behind that.
 struct ALIGN_AS_GLSL GridPush {
   ivec3 size;            // Vertices of the grid, see topology.h.
   float resolution;      // Spacings per step of the fixed-point positions, a power of two.
