@@ -190,7 +190,7 @@ TEST_F(InverseDesignRun, InterruptedKeepsWhatIsThereAndGoesOn) {
 
 TEST_F(InverseDesignRun, ALostDeviceLeavesTheBestDesignSoFar) {
   const ProcessResult lost =
-      runMorphgrid(keepingCheckpoints("lost"), failingDevice("SUBMITS", 1200));
+      runMorphgrid(keepingCheckpoints("lost"), failingDevice("SUBMITS", 700));
   ASSERT_EQ(lost.exitCode, 4) << lost.output;
   const auto left = report("lost");
   EXPECT_EQ(left["inverse_design"]["ending"], "device failure");
