@@ -98,8 +98,8 @@ Adjoint AdjointSolver::solve(const Matrix3Xd& rightSide, const AdjointOptions& o
   const double norm = rightSide.norm() / scale;
   const ConjugateScalars& scalars = scalars_.mapped<ConjugateScalars>().front();
   result.residual = 1;
-  // Waiting for the device takes longer than a product on a small grid: as many as the last solve
-  // took, but for one, go in one submission.
+  // On a small grid waiting for the device is a good part of the time: as many products as the last
+  // solve took, but for one, go in one submission.
   int batch = std::max(1, usualProducts_ - 1);
   while (result.products < options.productLimit && result.residual > options.tolerance) {
     stream_.begin();
