@@ -22,6 +22,12 @@ enum class ElementType { float64, int32, uint32, uint8 };
 /// How many elements along each index; empty: one value.
 using ArrayShape = std::vector<std::size_t>;
 
+inline std::size_t elementCount(const ArrayShape& shape) {
+  std::size_t count = 1;
+  for (const std::size_t extent : shape) count *= extent;
+  return count;
+}
+
 /// An array that lies elsewhere: row-major, the last index the fastest.
 struct ArrayView {
   ElementType type;

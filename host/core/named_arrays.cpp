@@ -3,15 +3,6 @@
 #include <cmath>
 
 namespace morphgrid {
-namespace {
-
-std::size_t elementCount(const ArrayShape& shape) {
-  std::size_t count = 1;
-  for (const std::size_t extent : shape) count *= extent;
-  return count;
-}
-
-}  // namespace
 
 void ArrayList::addMade(const std::string& name, ArrayShape shape, std::vector<double> values) {
   add(name, std::move(shape), std::span<const double>(made_.emplace_back(std::move(values))));

@@ -9,17 +9,11 @@
 namespace morphgrid {
 namespace {
 
-std::size_t sizeOf(const ArrayShape& shape) {
-  std::size_t size = 1;
-  for (const std::size_t extent : shape) size *= extent;
-  return size;
-}
-
 /// The values of those struts that there are. struts: the array's shape.
 std::vector<double> gather(const GridShape& shape, const std::vector<double>& values,
                            const ArrayShape& struts) {
   std::vector<double> gathered;
-  gathered.reserve(sizeOf(struts));
+  gathered.reserve(elementCount(struts));
   for (std::size_t k = 0; k < struts[0]; ++k) {
     for (std::size_t j = 0; j < struts[1]; ++j) {
       const auto row = values.begin() + shape.index(0, static_cast<int>(j), static_cast<int>(k));

@@ -16,7 +16,7 @@ using testing::HasSubstr;
 using testing::StartsWith;
 
 TEST_F(LiveSession, PassesThroughAllStages) {
-  folder_.write("patch.toml", kPatch);
+  folder_.write("patch.toml", kGoodPatch);
   start(kVault);
   const auto end = awaitRest();
   EXPECT_EQ(end->title, "Vault");
@@ -144,13 +144,13 @@ TEST_F(LiveSession, SolvesByEveryMethod) {
 }
 
 TEST_F(LiveSession, TellsOfChangesOnDiskAndReadsThem) {
-  folder_.write("base/patch.toml", kPatch);
+  folder_.write("base/patch.toml", kGoodPatch);
   folder_.write("base/base.toml", kVault);
   start("extends = \"base/base.toml\"\n");
   EXPECT_FALSE(awaitRest()->isOutdated);
   const auto isOutdated = [](const Snapshot& s) { return s.isOutdated; };
   for (const auto& [name, text] :
-       {std::pair<std::string, std::string>{"base/patch.toml", kPatch},
+       {std::pair<std::string, std::string>{"base/patch.toml", kGoodPatch},
         {"base/base.toml", std::string(kVault) + "max_shrinkage = 0.5\n"},
         {"scene.toml", "title = \"New\"\nextends = \"base/base.toml\"\n"}}) {
     rewrite(name, text);
@@ -183,7 +183,7 @@ TEST_F(LiveSession, AFileThatBreaksIsToldAndMended) {
 }
 
 TEST_F(LiveSession, TheSceneThatItSavesMeansTheSame) {
-  folder_.write("base/patch.toml", kPatch);
+  folder_.write("base/patch.toml", kGoodPatch);
   folder_.write("base/base.toml", kVault);
   start("extends = \"base/base.toml\"\n");
   awaitRest();
@@ -226,7 +226,7 @@ TEST_F(LiveSession, KeepsItsSolversWhileTheShapeOfTheGridStays) {
 }
 
 TEST_F(LiveSession, DoesNotShowTheCheckFromFlat) {
-  folder_.write("patch.toml", kPatch);
+  folder_.write("patch.toml", kGoodPatch);
   std::shared_ptr<const Snapshot> checking;
   onPost_ = [&](const auto& posted) {
     if (posted->status.find("from flat") != std::string::npos) checking = posted;
@@ -266,14 +266,14 @@ TEST_F(LiveSession, WhereNothingCanBeWrittenSaysSo) {
 }
 
 TEST_F(LiveSession, ClosesWhileItDesigns) {
-  folder_.write("patch.toml", kPatch);
+  folder_.write("patch.toml", kGoodPatch);
   start(kVault, {"grid.nodes_long=1500"});  // More than half a minute.
   awaitActivity(Activity::designing);
   session_.reset();
 }
 
 TEST_F(LiveSession, AKnobTakesThePlaceOfTheDesignUnderWay) {
-  folder_.write("patch.toml", kPatch);
+  folder_.write("patch.toml", kGoodPatch);
   start(kVault, {"grid.nodes_long=1500"});
   await([](const Snapshot& s) { return !s.knobs.empty(); });
   session_->turnKnob("grid.nodes_long", "6");

@@ -4,6 +4,7 @@
 #include <atomic>
 
 #include "app/live_run.h"
+#include "tests/app/scene_files.h"
 #include "tests/support/temporary_folder.h"
 
 namespace morphgrid {
@@ -17,14 +18,6 @@ patch = "patch.toml"
 layers = 3
 layer_spacing = 0.1
 nodes_long = 6
-)";
-
-inline constexpr const char* kPatch = R"(control_points = [
-  [[0, 0, 0], [1, 0, 1], [2, 0, 1], [3, 0, 0]],
-  [[0, 1, 0], [1, 1, 1], [2, 1, 1], [3, 1, 0]],
-  [[0, 2, 0], [1, 2, 1], [2, 2, 1], [3, 2, 0]],
-  [[0, 3, 0], [1, 3, 1], [2, 3, 1], [3, 3, 0.5]],
-]
 )";
 
 /// A live session without a window, under the validation layers.

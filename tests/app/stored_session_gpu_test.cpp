@@ -15,7 +15,7 @@ using testing::HasSubstr;
 class StoredSession : public LiveSession {
  protected:
   StoredSession() {
-    folder_.write("patch.toml", kPatch);
+    folder_.write("patch.toml", kGoodPatch);
     scene_ = folder_.write("vault.toml", std::string(kVault) + "[design]\noptimise = 1\n");
     state_ = leaveState(scene_, {}, device_);
     onPost_ = [this](const auto& posted) {
@@ -109,7 +109,7 @@ TEST_F(StoredSession, OverridesAreSolvedAtOnce) {
 TEST_F(StoredSession, AnotherPatchIsDesignedWhenItIsReadAgain) {
   openStored(state_);
   awaitRest();
-  std::string other = kPatch;
+  std::string other = kGoodPatch;
   other.replace(other.find("0.5]"), 3, "0.9");
   rewrite("patch.toml", other);
   await([](const Snapshot& s) { return s.isOutdated; });
