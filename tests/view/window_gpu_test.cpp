@@ -5,6 +5,7 @@
 
 #include <fstream>
 #include <functional>
+#include <iostream>
 
 #include "tests/render/pixels.h"
 #include "tests/support/dome_scene.h"
@@ -51,13 +52,16 @@ class ViewerWindow : public testing::Test {
     desktop_.run("xdotool windowfocus --sync " + id);
   }
 
-  /// A desktop with much else to do may lose a key, as it may a user's, who then presses it again.
+  /// Presses again where the window does not answer, which happened once in some thirty runs for no
+  /// reason found; says then what the window shows.
   bool pressUntil(const std::string& keys, const std::string& title) {
-    for (int attempt = 0; attempt < 3; ++attempt) {
+    for (int attempt = 0; attempt < 2; ++attempt) {
       desktop_.press(keys);
       if (!desktop_.awaitWindow(title).empty()) {
         return true;
       }
+      std::cerr << keys << " without answer, the window is "
+                << desktop_.run("xdotool search --name '^Dome' getwindowname") << '\n';
     }
     return false;
   }
