@@ -88,9 +88,10 @@ void BackgroundProgram::signal(int number) const { kill(child_, number); }
 
 std::string BackgroundProgram::output() const { return contentOf(output_); }
 
+// Without "-r" a key that a busy machine releases late repeats, as if it were held.
 Desktop::Desktop()
-    : server_({"Xvfb", "-displayfd", "1", "-screen", "0", "1280x720x24", "-nolisten", "tcp"}, {},
-              folder_ / "xvfb.log") {
+    : server_({"Xvfb", "-r", "-displayfd", "1", "-screen", "0", "1280x720x24", "-nolisten", "tcp"},
+              {}, folder_ / "xvfb.log") {
   display_ = awaitDisplay(server_);
 }
 
