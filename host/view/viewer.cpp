@@ -84,9 +84,7 @@ class Viewer {
       window_.handleEvents(std::max(0.0, kFrameSeconds - sinceFrame));
       framesLeft_ = std::max(framesLeft_ - 1, 0);
     } else {
-      const auto before = Clock::now();
-      window_.handleEvents(kIdleSeconds);
-      framesLeft_ = secondsBetween(before, Clock::now()) < kIdleSeconds ? kFramesAfterEvent : 0;
+      framesLeft_ = window_.handleEvents(kIdleSeconds) ? kFramesAfterEvent : 0;
     }
   }
 
@@ -130,6 +128,7 @@ class Viewer {
       list_.collect(*snapshot_, state_, isStill());  // As the user has just chosen.
       buildOverlay();
     });
+    window_.forgetKeys();
     return present();
   }
 

@@ -5,6 +5,8 @@
 #include <GLFW/glfw3.h>
 #include <fmt/format.h>
 
+#include <chrono>
+
 #include "core/error.h"
 #include "gpu/vulkan_device.h"
 
@@ -37,13 +39,25 @@ Window::Window(const WindowOptions& options) : title_(options.title) {
     glfwTerminate();
     failToOpen(reason);
   }
-  glfwSetWindowUserPointer(window_, &keys_);
+  glfwSetWindowUserPointer(window_, &input_);
+  noteInput();
+}
+
+void Window::noteInput() {
+  static constexpr auto kInputOf = [](GLFWwindow* window) -> Input& {
+    Input& input = *static_cast<Input*>(glfwGetWindowUserPointer(window));
+    input.isNew = true;
+    return input;
+  };
   glfwSetKeyCallback(window_, [](GLFWwindow* window, int key, int, int action, int mods) {
+    Input& input = kInputOf(window);
     if (action != GLFW_RELEASE) {
-      static_cast<std::vector<KeyPress>*>(glfwGetWindowUserPointer(window))
-          ->push_back({key, (mods & GLFW_MOD_CONTROL) != 0, (mods & GLFW_MOD_SHIFT) != 0});
+      input.keys.push_back({key, (mods & GLFW_MOD_CONTROL) != 0, (mods & GLFW_MOD_SHIFT) != 0});
     }
   });
+  glfwSetMouseButtonCallback(window_, [](GLFWwindow* window, int, int, int) { kInputOf(window); });
+  glfwSetCursorPosCallback(window_, [](GLFWwindow* window, double, double) { kInputOf(window); });
+  glfwSetScrollCallback(window_, [](GLFWwindow* window, double, double) { kInputOf(window); });
 }
 
 Window::~Window() {
@@ -97,13 +111,17 @@ void Window::setTitle(const std::string& title) {
   }
 }
 
-void Window::handleEvents(double patience) {
-  keys_.clear();
+bool Window::handleEvents(double patience) {
+  using Clock = std::chrono::steady_clock;
+  input_.isNew = false;
+  const auto begin = Clock::now();
   if (patience > 0) {
     glfwWaitEventsTimeout(patience);
   } else {
     glfwPollEvents();
   }
+  // GLFW does not tell whether a wait has ended with an event; one may come with its very end.
+  return input_.isNew || std::chrono::duration<double>(Clock::now() - begin).count() < patience;
 }
 
 void Window::wake() { glfwPostEmptyEvent(); }

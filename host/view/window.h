@@ -43,18 +43,24 @@ class Window {
   void close();
   void setTitle(const std::string& title);
 
-  /// Handles events; waits up to so many seconds for one where none is there.
-  void handleEvents(double patience);
-  /// Keys of the last events. Dear ImGui of this version misses keys that go up before its next
-  /// frame.
-  const std::vector<KeyPress>& keys() const { return keys_; }
+  /// Handles events; waits up to so many seconds for one where none is there. False when none came.
+  bool handleEvents(double patience);
+  /// Keys that have been pressed since forgetKeys(). Dear ImGui of this version misses keys that go
+  /// up before its next frame.
+  const std::vector<KeyPress>& keys() const { return input_.keys; }
+  void forgetKeys() { input_.keys.clear(); }
   /// Ends a wait for events; from any thread.
   static void wake();
 
  private:
+  void noteInput();
+
   GLFWwindow* window_ = nullptr;
   std::string title_;
-  std::vector<KeyPress> keys_;
+  struct Input {
+    std::vector<KeyPress> keys;
+    bool isNew = false;  ///< Keys or the mouse, since events were last asked for.
+  } input_;
 };
 
 }  // namespace morphgrid

@@ -1,3 +1,5 @@
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -10,6 +12,7 @@
 #include "tests/support/dome_scene.h"
 #include "tests/support/folders.h"
 #include "tests/view/desktop.h"
+#include "view/window.h"
 
 namespace morphgrid {
 namespace {
@@ -244,6 +247,28 @@ TEST_F(ViewerWindow, WithoutADisplaySaysWhatToDo) {
                            desktop_.folder() / "viewer.log");
   EXPECT_EQ(viewer.exitCode(), 4);
   EXPECT_THAT(viewer.output(), HasSubstr("`morphgrid run`"));
+}
+
+TEST(WindowInput, KeysStayUntilTheyAreHandled) {
+  const Desktop desktop;
+  ASSERT_EQ(setenv("DISPLAY", desktop.display().c_str(), 1), 0);
+  {
+    Window window({.title = "Keys"});
+    desktop.run("xdotool windowfocus --sync " + desktop.awaitWindow("^Keys"));
+    while (window.handleEvents(0.5)) {
+    }
+    EXPECT_FALSE(window.handleEvents(0));
+    desktop.press("r");
+    // It is there when the wait for it ends at once, and still there when another wait was in vain.
+    EXPECT_TRUE(window.handleEvents(0));
+    while (window.handleEvents(0.5)) {
+    }
+    ASSERT_EQ(window.keys().size(), 1);
+    EXPECT_EQ(window.keys().front().key, GLFW_KEY_R);
+    window.forgetKeys();
+    EXPECT_TRUE(window.keys().empty());
+  }
+  unsetenv("DISPLAY");
 }
 
 }  // namespace
