@@ -20,7 +20,8 @@ library_headers(test_headers ${often_included} <gmock/gmock.h> <gtest/gtest.h> L
 # refuses these.
 function(morphgrid_test_options target)
   # At this level GCC 12 has false alarms about std::string and Eigen.
-  target_compile_options(${target} PRIVATE "$<$<CONFIG:Release>:-O1;-Wno-array-bounds;-Wno-maybe-uninitialized>")
+  target_compile_options(${target} PRIVATE "$<$<CONFIG:Release>:-O1;-Wno-array-bounds;-Wno-maybe-uninitialized>"
+                                           "$<$<BOOL:${MORPHGRID_SANITIZE}>:-O0>")
   if(NOT target STREQUAL test_headers)
     morphgrid_compile_options(${target})
     target_precompile_headers(${target} REUSE_FROM test_headers)

@@ -9,7 +9,7 @@ namespace {
 using Eigen::ArrayXd;
 using Eigen::VectorXd;
 
-constexpr std::size_t kPairs = 10;
+constexpr std::size_t kRememberedPairs = 10;
 
 }  // namespace
 
@@ -64,7 +64,7 @@ void BoundedLbfgs::add(const VectorXd& s, const VectorXd& y) {
     return;
   }
   pairs_.push_back({s, y});
-  if (pairs_.size() > kPairs) {
+  if (pairs_.size() > kRememberedPairs) {
     pairs_.pop_front();
   }
 }

@@ -73,7 +73,7 @@ double bruteForce(const Eigen::Matrix3Xd& ends, int first, int second) {
 }
 
 TEST(SegmentClearance, ManySegmentsAgainstSampledOnes) {
-  constexpr int kCount = 40;
+  constexpr int kCount = 12;
   std::mt19937 random(7);
   std::uniform_real_distribution<double> coordinate(0, 1);
   Eigen::Matrix3Xd ends(3, 2 * kCount);

@@ -11,7 +11,11 @@
 #include "energy/strut_energy.h"
 
 // Only what follows: Eigen's types above must keep the alignment that the other files know.
+#ifdef __clang__
+#pragma clang attribute push(__attribute__((target("avx2,fma"))), apply_to = function)
+#else
 #pragma GCC target("avx2,fma")
+#endif
 
 namespace morphgrid {
 namespace {
@@ -318,3 +322,7 @@ Eigen::Matrix3Xd Avx2Sweep::positions() const {
 }
 
 }  // namespace morphgrid
+
+#ifdef __clang__
+#pragma clang attribute pop
+#endif
