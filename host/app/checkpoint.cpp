@@ -76,7 +76,10 @@ void add(ArrayList& arrays, const SolveCheckpoint& solve) {
 SolveCheckpoint readSolve(const ArrayReader& reader) {
   const std::vector<double> summary = reader.numbers("solve_summary", {3});
   return {static_cast<int>(reader.integer(summary[0], 0, kLargestPhase)),
-          readPositions(reader, "solve_positions"), summary[1], summary[2],
+          readPositions(reader, "solve_positions"),
+          JointRotations(),
+          summary[1],
+          summary[2],
           readHistory(reader, "solve_history")};
 }
 

@@ -9,6 +9,8 @@
 namespace morphgrid {
 namespace {
 
+constexpr double kFlat = 1e-6;  // Of a direction.
+
 void requirePositive(double value, const char* what, const Strut& strut) {
   if (!(std::isfinite(value) && value > 0)) {
     throw InputError(fmt::format("strut {} -> {}: {} must be a finite number > 0, got {}",
@@ -18,6 +20,50 @@ void requirePositive(double value, const char* what, const Strut& strut) {
 
 bool hasSize(const StrutValues& values, std::size_t count) {
   return values.u.size() == count && values.v.size() == count && values.w.size() == count;
+}
+
+void requirePositive(double value, const char* what) {
+  if (!(std::isfinite(value) && value > 0)) {
+    throw InputError(fmt::format("{} must be a finite number > 0, got {}", what, value));
+  }
+}
+
+void validateSection(const BarSection& section) {
+  requirePositive(section.stretching, "the stiffness of bars against stretching");
+  requirePositive(section.bendingN, "the stiffness of bars against bending in the sheet");
+  requirePositive(section.bendingB, "the stiffness of bars against bending across");
+  requirePositive(section.twisting, "the stiffness of bars against twisting");
+  for (const double value : {section.shearing, section.joint}) {
+    if (!(std::isfinite(value) && value >= 0)) {
+      throw InputError(fmt::format(
+          "what bars shear by and the size of their joints must be finite numbers >= 0, got {}",
+          value));
+    }
+  }
+}
+
+void validateBars(const StrutGrid& grid) {
+  const Bars& bars = *grid.bars;
+  if (bars.printed.cols() != grid.shape.vertexCount() || !bars.printed.allFinite()) {
+    throw InputError(fmt::format("bars need {} finite printed positions, got {}",
+                                 grid.shape.vertexCount(), bars.printed.cols()));
+  }
+  validateSection(bars.lateral);
+  if (grid.shape.layers > 1) {
+    validateSection(bars.upright);
+  }
+  forEachStrut(grid.shape, [&](const Strut& strut) {
+    requirePositive(lengthAt(bars.printed, strut), "the printed length", strut);
+    requirePositive(valueAt(grid.rest, strut) - 2 * bars.section(strut).joint,
+                    "the rest length beyond the joints", strut);
+    const Eigen::Vector3d along = printedDirection(bars, strut);
+    if (strut.isLateral() ? std::abs(along.z()) > kFlat : along.z() < 1 - kFlat) {
+      throw InputError(fmt::format(
+          "strut {} -> {} is printed along ({:.3g}, {:.3g}, {:.3g}), but layers are printed flat "
+          "and posts upright",
+          strut.from, strut.to, along.x(), along.y(), along.z()));
+    }
+  });
 }
 
 }  // namespace
@@ -55,6 +101,9 @@ void validate(const StrutGrid& grid) {
     requirePositive(valueAt(grid.stiffness, strut), "the stiffness", strut);
     requirePositive(lengthAt(grid.positions, strut), "the initial length", strut);
   });
+  if (grid.bars) {
+    validateBars(grid);
+  }
 }
 
 StrutGrid layerAtRest(const GridShape& shape, double spacing, const Eigen::Matrix3Xd& points) {

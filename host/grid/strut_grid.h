@@ -1,7 +1,9 @@
 #pragma once
 #include <Eigen/Core>
+#include <optional>
 #include <vector>
 
+#include "grid/bars.h"
 #include "grid/grid_topology.h"
 #include "grid/term_weights.h"
 
@@ -25,6 +27,9 @@ struct StrutGrid {
   StrutValues rest;            ///< Rest lengths L, > 0 where there is a strut.
   StrutValues stiffness;       ///< w c of `w c (|e| - L)^2`, > 0 where there is a strut.
   TermWeights weights;         ///< All >= 0.
+  /// Its struts as welded bars: then vertices are joints that turn, and stiffness and weights are
+  /// of no account.
+  std::optional<Bars> bars = std::nullopt;
 };
 
 /// The value of a strut of the grid that the values belong to.

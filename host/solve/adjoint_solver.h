@@ -35,7 +35,7 @@ class AdjointSolver {
   VertexVector product_;
   Buffer sums_;
   Buffer scalars_;
-  GridHessian::Step multiplication_;
+  Hessian::Step multiplication_;
   ComputeKernel directionDots_;
   ComputeKernel remainderDots_;
   ComputeKernel advance_;

@@ -1,6 +1,7 @@
 #include "solve/column_transfer.h"
 
 #include "solve/column_matrix_comp.h"
+#include "solve/frame_column_matrix_comp.h"
 #include "solve/prolong_columns_comp.h"
 #include "solve/restrict_columns_comp.h"
 
@@ -8,13 +9,6 @@ namespace morphgrid {
 namespace {
 
 int centreLayer(const GridShape& shape) { return shape.layers / 2; }
-
-std::vector<KernelResource> matrixResources(const PointLevel& columns, const GridTexels& grid) {
-  std::vector<KernelResource> resources = columns.matrixBuffers();
-  resources.push_back({kBindingRest, &grid.rest});
-  resources.push_back({kBindingStiffness, &grid.stiffness});
-  return resources;
-}
 
 }  // namespace
 
@@ -29,10 +23,12 @@ ColumnTransfer::ColumnTransfer(const Device& device, const DeviceGrid& grid,
       residualTexels_(floatTexels(device, residual)),
       correctionTexels_(floatTexels(device, correction)),
       gridTexels_(device, grid),
-      matrix_(kernel(column_matrix_comp_spirv, matrixResources(columns, gridTexels_))),
-      restriction_(
-          kernel(restrict_columns_comp_spirv, {{kBindingFineVector, &residualTexels_},
-                                               {kBindingResult, &columns.rightSide().buffer()}})),
+      frame_(grid.isFrame() ? std::optional<FrameColumns>(std::in_place, device, grid)
+                            : std::nullopt),
+      matrix_(matrixKernel()),
+      restriction_(kernel(family(restrict_columns_comp_spirv),
+                          {{kBindingFineVector, &residualTexels_},
+                           {kBindingResult, &columns.rightSide().buffer()}})),
       prolongation_(family(prolong_columns_comp_spirv)
                         .bind({{kBindingPositions, &positionTexels_},
                                {kBindingCoarseVector, &columns.result().texels()},
@@ -40,12 +36,26 @@ ColumnTransfer::ColumnTransfer(const Device& device, const DeviceGrid& grid,
                                {kBindingFineResult, &correction}})) {}
 
 KernelFamily ColumnTransfer::family(ShaderCode spirv) const {
-  return {device_, spirv, sizeof(ColumnPush), {device_.subgroupSize()}};
+  std::vector<std::uint32_t> constants{device_.subgroupSize(), grid_.isFrame() ? 1U : 0U};
+  static_assert(kConstantSubgroupSize == 0 && kConstantJointsTurn == 1);
+  return {device_, spirv, sizeof(ColumnPush), std::move(constants)};
 }
 
-PointKernel ColumnTransfer::kernel(ShaderCode spirv, std::vector<KernelResource> resources) const {
+PointKernel ColumnTransfer::matrixKernel() const {
+  std::vector<KernelResource> resources = columns_.matrixBuffers();
+  if (frame_) {
+    frame_->appendResources(resources);
+    return kernel({device_, frame_column_matrix_comp_spirv, sizeof(FramePush), frame_->constants()},
+                  std::move(resources));
+  }
+  resources.push_back({kBindingRest, &gridTexels_.rest});
+  resources.push_back({kBindingStiffness, &gridTexels_.stiffness});
+  return kernel(family(column_matrix_comp_spirv), std::move(resources));
+}
+
+PointKernel ColumnTransfer::kernel(KernelFamily kernels,
+                                   std::vector<KernelResource> resources) const {
   resources.push_back({kBindingPositions, &positionTexels_});
-  KernelFamily kernels = family(spirv);
   return {device_, kernels, columns_.points(), resources};
 }
 
@@ -60,7 +70,13 @@ void ColumnTransfer::recordCentres(CommandStream& stream) const {
 }
 
 void ColumnTransfer::recordMatrix(CommandStream& stream, double damping) const {
-  matrix_.record(stream, push(damping));
+  if (frame_) {
+    FramePush push = frame_->push();
+    push.damping = static_cast<float>(damping);
+    matrix_.record(stream, push);
+  } else {
+    matrix_.record(stream, push(damping));
+  }
 }
 
 void ColumnTransfer::recordRestriction(CommandStream& stream) const {

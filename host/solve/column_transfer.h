@@ -1,5 +1,6 @@
 #pragma once
 #include "solve/column_walk.h"
+#include "solve/frame_kernels.h"
 #include "solve/point_level.h"
 
 namespace morphgrid {
@@ -26,7 +27,8 @@ class ColumnTransfer {
  private:
   ColumnPush push(double damping) const;
   KernelFamily family(ShaderCode spirv) const;
-  PointKernel kernel(ShaderCode spirv, std::vector<KernelResource> resources) const;
+  PointKernel matrixKernel() const;
+  PointKernel kernel(KernelFamily kernels, std::vector<KernelResource> resources) const;
 
   const Device& device_;
   const DeviceGrid& grid_;
@@ -36,6 +38,7 @@ class ColumnTransfer {
   TexelView residualTexels_;
   TexelView correctionTexels_;
   GridTexels gridTexels_;
+  std::optional<FrameColumns> frame_;  ///< Of grids that are frames.
   PointKernel matrix_;
   PointKernel restriction_;
   ComputeKernel prolongation_;

@@ -16,6 +16,7 @@
 namespace morphgrid {
 namespace {
 
+constexpr int kVerticesOfBar = 2;
 constexpr int kFinestResolutionBits = 24;  // Floats hold differences of a spacing exactly.
 // In steps of the resolution: what 32 bits hold, rounding included.
 constexpr double kLargestCoordinate = std::numeric_limits<std::int32_t>::max() - 1;
@@ -54,9 +55,9 @@ std::optional<UniformStiffness> findUniformStiffness(const StrutGrid& grid) {
   return isUniform ? std::optional(uniform) : std::nullopt;
 }
 
-Buffer perVertexBuffer(const Device& device, const GridShape& shape) {
+Buffer texelBuffer(const Device& device, std::uint64_t count) {
   using Usage = BufferUsage;
-  return {device, shape.vertexCount() * sizeof(vec4),
+  return {device, count * sizeof(vec4),
           Usage::storageBuffer | Usage::uniformTexelBuffer | Usage::storageTexelBuffer |
               Usage::transferSrc | Usage::transferDst,
           MemoryKind::device};
@@ -92,6 +93,49 @@ Eigen::Vector3d decode(const ivec4& p) {
   return {coordinate(0), coordinate(1), coordinate(2)};
 }
 
+constexpr double kRotationSteps = std::uint64_t{1} << kRotationBits;
+
+ivec4 encodeRotation(const Eigen::Vector4d& rotation) {
+  const auto component = [&](int n) {
+    return static_cast<std::int32_t>(std::llround(rotation[n] * kRotationSteps));
+  };
+  return {component(0), component(1), component(2), component(3)};
+}
+
+Eigen::Vector4d decodeRotation(const ivec4& rotation) {
+  return Eigen::Vector4d(rotation.x, rotation.y, rotation.z, rotation.w).normalized();
+}
+
+DeviceBarSection onDevice(const BarSection& section, double spacing) {
+  const double cubed = spacing * spacing * spacing;
+  return {
+      static_cast<float>(section.stretching / spacing),
+      static_cast<float>(section.bendingN / cubed), static_cast<float>(section.bendingB / cubed),
+      static_cast<float>(section.twisting / cubed), static_cast<float>(section.shearing * spacing)};
+}
+
+std::optional<DeviceFrame> frameOf(const StrutGrid& grid) {
+  if (!grid.bars) {
+    return std::nullopt;
+  }
+  const auto& [lateral, upright, printed] = *grid.bars;
+  return DeviceFrame{onDevice(lateral, grid.spacing), onDevice(upright, grid.spacing),
+                     static_cast<float>(lateral.joint / grid.spacing),
+                     static_cast<float>(upright.joint / grid.spacing)};
+}
+
+/// See FramePush.
+std::vector<vec4> packPrinted(const StrutGrid& grid) {
+  std::vector<vec4> packed(grid.shape.vertexCount(), vec4(1, 0, 0, 1));
+  forEachLateralStrut(grid.shape, [&](const Strut& strut) {
+    const Eigen::Vector3d along = printedDirection(*grid.bars, strut);
+    const int first = strut.direction == Strut::Direction::u ? 0 : 2;
+    packed[strut.from][first] = static_cast<float>(along.x());
+    packed[strut.from][first + 1] = static_cast<float>(along.y());
+  });
+  return packed;
+}
+
 std::vector<vec4> packStiffness(const StrutValues& stiffness) {
   std::vector<vec4> packed(stiffness.u.size());
   for (std::size_t n = 0; n < packed.size(); ++n) {
@@ -102,17 +146,21 @@ std::vector<vec4> packStiffness(const StrutValues& stiffness) {
 
 }  // namespace
 
-DeviceGrid::Storage::Storage(const Device& device, const GridShape& shape)
-    : positions(perVertexBuffer(device, shape)),
-      previousPositions(perVertexBuffer(device, shape)),
-      rest(perVertexBuffer(device, shape)),
-      stiffness(perVertexBuffer(device, shape)) {}
+DeviceGrid::Storage::Storage(const Device& device, const GridShape& shape, bool isFrame)
+    : positions(texelBuffer(device, (isFrame ? 2 : 1) * std::uint64_t(shape.vertexCount()))),
+      previousPositions(texelBuffer(device, positions.bytes() / sizeof(ivec4))),
+      rest(texelBuffer(device, shape.vertexCount())),
+      stiffness(texelBuffer(device, shape.vertexCount())) {
+  if (isFrame) {
+    printed.emplace(texelBuffer(device, shape.vertexCount()));
+  }
+}
 
 DeviceGrid::DeviceGrid(const Device& device, const StrutGrid& grid)
     : device_(device),
       shape_(validated(grid).shape),
       resolution_(chooseResolution(grid.shape)),
-      storage_(std::make_shared<Storage>(device, shape_)) {
+      storage_(std::make_shared<Storage>(device, shape_, grid.bars.has_value())) {
   take(grid);
 }
 
@@ -125,12 +173,18 @@ void DeviceGrid::take(const StrutGrid& grid) {
   const StrutEnergy energy(grid);
   spacing_ = grid.spacing;
   weights_ = grid.weights;
-  mostVertices_ = energy.mostVertices();
+  mostVertices_ = grid.bars ? kVerticesOfBar : energy.mostVertices();
   restResolution_ = chooseRestResolution(grid);
   origin_ = grid.positions.rowwise().mean();
   uniformStiffness_ = findUniformStiffness(grid);
   storage_->stepsPerForce = (2 * energy.constraintWeights()).cwiseInverse();
-  uploadPositions(grid.positions);
+  frame_ = frameOf(grid);
+  if (frame_) {
+    upload(device_, *storage_->printed, packPrinted(grid));
+    uploadPositions(grid.positions, unturnedJoints(shape_.vertexCount()));
+  } else {
+    uploadPositions(grid.positions, {});
+  }
   uploadRest(grid.rest);
   upload(device_, storage_->stiffness, packStiffness(grid.stiffness));
 }
@@ -139,8 +193,10 @@ std::shared_ptr<const DeviceGrid> DeviceGrid::onlooker() const {
   return std::shared_ptr<const DeviceGrid>(new DeviceGrid(*this));
 }
 
-void DeviceGrid::uploadPositions(const Eigen::Matrix3Xd& positions) {
-  std::vector<ivec4> packed(positions.cols());
+void DeviceGrid::uploadPositions(const Eigen::Matrix3Xd& positions,
+                                 const JointRotations& rotations) {
+  const ivec4 unturned(0, 0, 0, std::int32_t{1} << kRotationBits);
+  std::vector<ivec4> packed(vectorLength(), unturned);
   for (Eigen::Index n = 0; n < positions.cols(); ++n) {
     const Eigen::Vector3d steps = (positions.col(n) - origin_) / (spacing_ * resolution_);
     if (!(steps.cwiseAbs().maxCoeff() <= kLargestCoordinate)) {
@@ -150,6 +206,9 @@ void DeviceGrid::uploadPositions(const Eigen::Matrix3Xd& positions) {
           n, steps.norm() * resolution_, kLargestCoordinate * resolution_));
     }
     packed[n] = encode(steps);
+  }
+  for (Eigen::Index n = 0; n < rotations.cols(); ++n) {
+    packed[positions.cols() + n] = encodeRotation(rotations.col(n));
   }
   upload(device_, storage_->positions, packed);
   upload(device_, storage_->previousPositions, packed);
@@ -176,6 +235,18 @@ Eigen::Matrix3Xd DeviceGrid::downloadPositions(const Buffer& from) const {
     positions.col(n) = origin_ + spacing_ * resolution_ * decode(packed[n]);
   }
   return positions;
+}
+
+JointRotations DeviceGrid::downloadRotations(const Buffer& from) const {
+  if (!isFrame()) {
+    return {};
+  }
+  const auto packed = download<ivec4>(device_, from, vectorLength());
+  JointRotations rotations(4, shape_.vertexCount());
+  for (Eigen::Index n = 0; n < rotations.cols(); ++n) {
+    rotations.col(n) = decodeRotation(packed[rotations.cols() + n]);
+  }
+  return rotations;
 }
 
 }  // namespace morphgrid

@@ -4,7 +4,9 @@
 #include <optional>
 
 #include "gpu/buffer.h"
+#include "grid/joint_rotations.h"
 #include "grid/strut_grid.h"
+#include "shared/frame_types.h"
 
 namespace morphgrid {
 
@@ -12,6 +14,14 @@ namespace morphgrid {
 struct UniformStiffness {
   float lateral;
   float vertical;  ///< 0 where there is a single layer.
+};
+
+/// Bars that are welded to their joints, see shaders/shared/frame_types.h.
+struct DeviceFrame {
+  DeviceBarSection lateral;
+  DeviceBarSection upright;
+  float lateralJoint;
+  float uprightJoint;
 };
 
 /// A strut grid in the device's memory: what the kernels of shaders/solve and shaders/render read.
@@ -42,8 +52,14 @@ class DeviceGrid {
   /// What the fixed-point zero stands for, in the scene's unit of length.
   const Eigen::Vector3d& origin() const { return origin_; }
 
-  /// ivec4 a vertex. The solver swaps between two such buffers; this one holds the newest state
-  /// before and after a solve.
+  /// Whether its struts are welded bars, so that vertices turn too.
+  bool isFrame() const { return frame_.has_value(); }
+  const DeviceFrame& frame() const { return *frame_; }
+  /// Texels of a vector of the solver: one a vertex, and in frames another for its turn.
+  int vectorLength() const { return (isFrame() ? 2 : 1) * shape_.vertexCount(); }
+
+  /// ivec4 a vertex, in frames followed by the rotations. The solver swaps between two such
+  /// buffers; this one holds the newest state before and after a solve.
   const Buffer& positions() const { return storage_->positions; }
   const Buffer& previousPositions() const { return storage_->previousPositions; }
   /// Whether positions() holds the newest state, or previousPositions(): for those who draw a solve
@@ -54,17 +70,21 @@ class DeviceGrid {
   const Buffer& rest() const { return storage_->rest; }
   /// vec4 a vertex: stiffnesses of the struts to +u, +v, +w.
   const Buffer& stiffness() const { return storage_->stiffness; }
+  /// vec4 a vertex of a frame: how its bars to +u and +v were printed, see FramePush.
+  const Buffer& printed() const { return *storage_->printed; }
   /// Empty when stiffnesses differ.
   const std::optional<UniformStiffness>& uniformStiffness() const { return uniformStiffness_; }
 
   /// positions: 3 x vertexCount, in the scene's unit of length; both buffers get them (no
-  /// velocity).
-  void uploadPositions(const Eigen::Matrix3Xd& positions);
+  /// velocity). rotations: of a frame's joints, which have not turned where there are none.
+  void uploadPositions(const Eigen::Matrix3Xd& positions, const JointRotations& rotations = {});
   void uploadRest(const StrutValues& rest);
   Eigen::Matrix3Xd downloadPositions() const { return downloadPositions(positions()); }
   /// Positions, 3 x vertexCount, from another buffer of them. Uploading them again gives the same
   /// bits.
   Eigen::Matrix3Xd downloadPositions(const Buffer& from) const;
+  /// The joints' rotations, none where the grid is no frame.
+  JointRotations downloadRotations(const Buffer& from) const;
 
  private:
   struct Storage {
@@ -72,10 +92,11 @@ class DeviceGrid {
     Buffer previousPositions;
     Buffer rest;
     Buffer stiffness;
+    std::optional<Buffer> printed;
     Eigen::VectorXd stepsPerForce;
     std::atomic<bool> newestIsFirst = true;
 
-    Storage(const Device& device, const GridShape& shape);
+    Storage(const Device& device, const GridShape& shape, bool isFrame);
   };
 
   DeviceGrid(const DeviceGrid&) = default;  // For onlooker().
@@ -85,6 +106,7 @@ class DeviceGrid {
   GridShape shape_;
   double resolution_;
   double spacing_ = 1;
+  std::optional<DeviceFrame> frame_;
   TermWeights weights_;
   int mostVertices_ = 0;
   double restResolution_ = 1;

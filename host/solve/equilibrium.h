@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/interrupt.h"
+#include "grid/joint_rotations.h"
 #include "solve/smallest_eigenvalue.h"
 
 namespace morphgrid {
@@ -39,6 +40,7 @@ struct ConvergenceSample {
 struct SolveCheckpoint {
   int phase = 0;               ///< Multigrid: which nested grid; Jacobi: which load step.
   Eigen::Matrix3Xd positions;  ///< 3 x vertexCount of the phase's grid, in the scene's unit.
+  JointRotations rotations;    ///< Of the phase's grid, where it is a frame.
   double iterations = 0;       ///< So far, as ConvergenceSample counts them.
   double seconds = 0;          ///< Since the stage began.
   std::vector<ConvergenceSample> history;
@@ -75,6 +77,7 @@ struct SolveOptions {
 /// Where a grid comes to rest. Energy and residual are recomputed in double from `positions`.
 struct Equilibrium {
   Eigen::Matrix3Xd positions;  ///< 3 x vertexCount, in the scene's unit of length.
+  JointRotations rotations;    ///< Of a frame.
   long iterations = 0;
   bool converged = false;
   StopReason reason = StopReason::iterationLimit;

@@ -4,6 +4,8 @@
 
 #include "core/error.h"
 #include "shared/hessian_types.h"
+#include "solve/frame_gradient_comp.h"
+#include "solve/frame_gradient_precise_comp.h"
 #include "solve/gradient_comp.h"
 #include "solve/gradient_precise_comp.h"
 #include "solve/gradient_sums_comp.h"
@@ -11,14 +13,14 @@
 namespace morphgrid {
 namespace {
 
-ShaderCode spirvOf(const Device& device, Precision precision) {
+ShaderCode spirvOf(const Device& device, const DeviceGrid& grid, Precision precision) {
   if (precision == Precision::single) {
-    return gradient_comp_spirv;
+    return grid.isFrame() ? frame_gradient_comp_spirv : gradient_comp_spirv;
   }
   if (!device.hasFloat64()) {
     throw DeviceError(fmt::format("device {} cannot compute in double precision", device.name()));
   }
-  return gradient_precise_comp_spirv;
+  return grid.isFrame() ? frame_gradient_precise_comp_spirv : gradient_precise_comp_spirv;
 }
 
 }  // namespace
@@ -29,27 +31,44 @@ GridGradient::GridGradient(const Device& device, const DeviceGrid& grid, Precisi
       walk_(device, grid, precision == Precision::single ? kSweepBlockV : kPreciseSweepBlockV,
             loop),
       texels_(device, grid),
-      partials_(device, walk_.groupCount() * sizeof(vec4), BufferUsage::storageBuffer,
+      frame_(grid.isFrame() ? std::optional<FrameColumns>(std::in_place, device, grid)
+                            : std::nullopt),
+      partials_(device, groupCount() * sizeof(vec4), BufferUsage::storageBuffer,
                 MemoryKind::device),
       sums_(device, sizeof(vec4), BufferUsage::storageBuffer, MemoryKind::host),
-      kernels_(device, spirvOf(device, precision), sizeof(GridPush), walk_.constants()),
+      kernels_(device, spirvOf(device, grid, precision),
+               frame_ ? sizeof(FramePush) : sizeof(GridPush),
+               frame_ ? frame_->constants() : walk_.constants()),
       reduction_(device, gradient_sums_comp_spirv,
                  {{kBindingPartials, &partials_}, {kBindingSums, &sums_}}, sizeof(ReductionPush)) {}
+
+std::uint32_t GridGradient::groupCount() const {
+  return frame_ ? frame_->groupCount() : walk_.groupCount();
+}
 
 GridGradient::Evaluation GridGradient::evaluation(const Buffer& positions,
                                                   const VertexVector& gradient) {
   TexelView view = integerTexels(device_, positions);
-  ComputeKernel kernel = kernels_.bind({{kBindingPositions, &view},
-                                        {kBindingRest, &texels_.rest},
-                                        {kBindingStiffness, &texels_.stiffness},
+  std::vector<KernelResource> resources{{kBindingPositions, &view},
                                         {kBindingResult, &gradient.buffer()},
-                                        {kBindingPartials, &partials_}});
+                                        {kBindingPartials, &partials_}};
+  if (frame_) {
+    frame_->appendResources(resources);
+  } else {
+    resources.insert(resources.end(),
+                     {{kBindingRest, &texels_.rest}, {kBindingStiffness, &texels_.stiffness}});
+  }
+  ComputeKernel kernel = kernels_.bind(resources);
   return {std::move(view), std::move(kernel)};
 }
 
 void GridGradient::record(CommandStream& stream, const Evaluation& evaluation) const {
-  stream.dispatch(evaluation.kernel_, walk_.push(), walk_.groupsU(), walk_.groupsV());
-  stream.dispatch(reduction_, ReductionPush{walk_.groupCount()}, 1);
+  if (frame_) {
+    stream.dispatch(evaluation.kernel_, frame_->push(), frame_->groupsU(), frame_->groupsV());
+  } else {
+    stream.dispatch(evaluation.kernel_, walk_.push(), walk_.groupsU(), walk_.groupsV());
+  }
+  stream.dispatch(reduction_, ReductionPush{groupCount()}, 1);
 }
 
 GridGradient::Sums GridGradient::sums() const {

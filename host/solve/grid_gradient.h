@@ -1,6 +1,7 @@
 #pragma once
 #include "gpu/command_stream.h"
 #include "solve/column_walk.h"
+#include "solve/frame_kernels.h"
 #include "solve/kernel_family.h"
 #include "solve/vertex_vector.h"
 
@@ -44,9 +45,12 @@ class GridGradient {
   Sums sums() const;
 
  private:
+  std::uint32_t groupCount() const;
+
   const Device& device_;
   ColumnWalk walk_;
   GridTexels texels_;
+  std::optional<FrameColumns> frame_;  ///< Of grids that are frames.
   Buffer partials_;
   Buffer sums_;
   KernelFamily kernels_;

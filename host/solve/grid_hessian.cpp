@@ -9,43 +9,32 @@
 #include "solve/hessian_smoothing_comp.h"
 
 namespace morphgrid {
-namespace {
-
-Buffer positionsBuffer(const Device& device, const DeviceGrid& grid) {
-  return {device, grid.positions().bytes(),
-          BufferUsage::storageTexelBuffer | BufferUsage::transferSrc | BufferUsage::transferDst,
-          MemoryKind::device};
-}
-
-}  // namespace
 
 GridHessian::GridHessian(const Device& device, const DeviceGrid& grid, LayerLoop loop)
-    : device_(device),
+    : Hessian(device, grid, 2.0 / grid.mostVertices()),
+      device_(device),
       shape_(grid.shape()),
       walk_(device, grid, kHessianBlockV, loop),
       texels_(device, grid),
-      positions_(positionsBuffer(device, grid)),
-      positionsView_(integerTexels(device, positions_)),
       inverseDiagonal_(device, shape_.vertexCount()),
       inverseOffDiagonal_(device, shape_.vertexCount()),
-      smoothingWeight_(2.0 / grid.mostVertices()),
       products_(device, hessian_product_comp_spirv, sizeof(HessianPush), walk_.constants()),
       exactProducts_(device, exact_product_comp_spirv, sizeof(HessianPush), walk_.constants()),
       residuals_(device, hessian_residual_comp_spirv, sizeof(HessianPush), walk_.constants()),
       smoothings_(device, hessian_smoothing_comp_spirv, sizeof(HessianPush), {}),
       firstSmoothings_(device, hessian_first_smoothing_comp_spirv, sizeof(HessianPush), {}),
       blocks_(device, hessian_blocks_comp_spirv,
-              {{kBindingPositions, &positionsView_},
+              {{kBindingPositions, &positionsView()},
                {kBindingRest, &texels_.rest},
                {kBindingStiffness, &texels_.stiffness},
                {kBindingInverseDiagonal, &inverseDiagonal_.buffer()},
                {kBindingInverseOffDiagonal, &inverseOffDiagonal_.buffer()}},
               sizeof(HessianPush), {device.subgroupSize()}) {}
 
-GridHessian::Step GridHessian::columnStep(KernelFamily& kernels, const VertexVector& z,
-                                          const VertexVector& result,
-                                          std::vector<KernelResource> others) {
-  others.insert(others.end(), {{kBindingPositions, &positionsView_},
+Hessian::Step GridHessian::columnStep(KernelFamily& kernels, const VertexVector& z,
+                                      const VertexVector& result,
+                                      std::vector<KernelResource> others) {
+  others.insert(others.end(), {{kBindingPositions, &positionsView()},
                                {kBindingRest, &texels_.rest},
                                {kBindingStiffness, &texels_.stiffness},
                                {kBindingVector, &z.texels()},
@@ -53,21 +42,21 @@ GridHessian::Step GridHessian::columnStep(KernelFamily& kernels, const VertexVec
   return {kernels.bind(others), Step::Dispatch::columns};
 }
 
-GridHessian::Step GridHessian::product(const VertexVector& z, const VertexVector& y) {
+Hessian::Step GridHessian::product(const VertexVector& z, const VertexVector& y) {
   return columnStep(products_, z, y, {});
 }
 
-GridHessian::Step GridHessian::exactProduct(const VertexVector& z, const VertexVector& y) {
+Hessian::Step GridHessian::exactProduct(const VertexVector& z, const VertexVector& y) {
   return columnStep(exactProducts_, z, y, {});
 }
 
-GridHessian::Step GridHessian::residual(const VertexVector& z, const VertexVector& b,
-                                        const VertexVector& r) {
+Hessian::Step GridHessian::residual(const VertexVector& z, const VertexVector& b,
+                                    const VertexVector& r) {
   return columnStep(residuals_, z, r, {{kBindingRightSide, &b.texels()}});
 }
 
-GridHessian::Step GridHessian::smoothing(const VertexVector& z, const VertexVector& r,
-                                         const VertexVector& next) {
+Hessian::Step GridHessian::smoothing(const VertexVector& z, const VertexVector& r,
+                                     const VertexVector& next) {
   return {smoothings_.bind({{kBindingVector, &z.texels()},
                             {kBindingRightSide, &r.texels()},
                             {kBindingResult, &next.buffer()},
@@ -76,7 +65,7 @@ GridHessian::Step GridHessian::smoothing(const VertexVector& z, const VertexVect
           Step::Dispatch::vertices};
 }
 
-GridHessian::Step GridHessian::firstSmoothing(const VertexVector& b, const VertexVector& z) {
+Hessian::Step GridHessian::firstSmoothing(const VertexVector& b, const VertexVector& z) {
   return {firstSmoothings_.bind({{kBindingRightSide, &b.texels()},
                                  {kBindingResult, &z.buffer()},
                                  {kBindingInverseDiagonal, &inverseDiagonal_.texels()},
@@ -84,22 +73,20 @@ GridHessian::Step GridHessian::firstSmoothing(const VertexVector& b, const Verte
           Step::Dispatch::vertices};
 }
 
-HessianPush GridHessian::push() const {
-  return {walk_.push(), static_cast<float>(damping_), static_cast<float>(smoothingWeight_)};
-}
+HessianPush GridHessian::push() const { return {walk_.push(), damping(), smoothingWeight()}; }
 
 void GridHessian::recordLinearisation(CommandStream& stream, const Buffer& positions) const {
-  stream.copy(positions, positions_, positions_.bytes());
+  stream.copy(positions, this->positions(), positions.bytes());
   stream.dispatch(blocks_, push(), groupsFor(shape_.verticesU, device_.subgroupSize()),
                   static_cast<std::uint32_t>(shape_.verticesV),
                   static_cast<std::uint32_t>(shape_.layers));
 }
 
 void GridHessian::record(CommandStream& stream, const Step& step) const {
-  if (step.dispatch_ == Step::Dispatch::columns) {
-    stream.dispatch(step.kernel_, push(), walk_.groupsU(), walk_.groupsV());
+  if (step.dispatch == Step::Dispatch::columns) {
+    stream.dispatch(step.kernel, push(), walk_.groupsU(), walk_.groupsV());
   } else {
-    stream.dispatch(step.kernel_, push(), groupsFor(shape_.layerVertexCount(), kVertexInvocations),
+    stream.dispatch(step.kernel, push(), groupsFor(shape_.layerVertexCount(), kVertexInvocations),
                     static_cast<std::uint32_t>(shape_.layers));
   }
 }

@@ -154,7 +154,8 @@ class JacobiSolver::RunLog {
 
   void offerCheckpoint(const DeviceGrid& grid) {
     pace_.offer(loadStep_, reasonToStop().has_value(), [&] {
-      return SolveCheckpoint{loadStep_, grid.downloadPositions(), static_cast<double>(sweeps_),
+      return SolveCheckpoint{loadStep_, grid.downloadPositions(),
+                             {},        static_cast<double>(sweeps_),
                              seconds(), history_};
     });
   }

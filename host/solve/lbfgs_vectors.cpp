@@ -10,12 +10,12 @@
 namespace morphgrid {
 namespace {
 
-std::vector<VertexVector> pairVectors(const Device& device, int vertexCount) {
+std::vector<VertexVector> pairVectors(const Device& device, int length) {
   std::vector<VertexVector> vectors;
   for (std::uint32_t n = 0; n < kPairs; ++n) {
-    vectors.emplace_back(device, vertexCount);
+    vectors.emplace_back(device, length);
     // Slots not yet in use have weight 0, and 0 times whatever memory holds may be no number.
-    upload(device, vectors.back().buffer(), std::vector<vec4>(vertexCount, vec4(0)));
+    upload(device, vectors.back().buffer(), std::vector<vec4>(length, vec4(0)));
   }
   return vectors;
 }
@@ -31,14 +31,15 @@ Eigen::Vector3d vectorOf(const vec4& v) { return {v.x, v.y, v.z}; }
 
 LbfgsVectors::LbfgsVectors(const Device& device, const DeviceGrid& grid, Precision precision)
     : device_(device),
-      count_(static_cast<std::uint32_t>(grid.shape().vertexCount())),
+      count_(static_cast<std::uint32_t>(grid.vectorLength())),
+      vertexCount_(static_cast<std::uint32_t>(grid.shape().vertexCount())),
       resolution_(static_cast<float>(grid.resolution())),
       gradient_(device, grid, precision, layerLoopFor(grid.shape())),
-      rightSide_(device, grid.shape().vertexCount()),
-      correction_(device, grid.shape().vertexCount()),
-      direction_(device, grid.shape().vertexCount()),
-      steps_(pairVectors(device, grid.shape().vertexCount())),
-      changes_(pairVectors(device, grid.shape().vertexCount())),
+      rightSide_(device, grid.vectorLength()),
+      correction_(device, grid.vectorLength()),
+      direction_(device, grid.vectorLength()),
+      steps_(pairVectors(device, grid.vectorLength())),
+      changes_(pairVectors(device, grid.vectorLength())),
       largest_(reductionBuffer(device, count_, sizeof(float))),
       dots_(reductionBuffer(device, count_, sizeof(PairDots))),
       combining_(device, lbfgs_combine_comp_spirv, sizeof(CombinePush), {}),
@@ -108,7 +109,8 @@ void LbfgsVectors::recordRightSide(CommandStream& stream,
   const std::uint32_t groups = reductionGroups(count_);
   stream.dispatch(
       kernels_[current_].rightSide,
-      CombinePush{count_, groups * kVectorInvocations, {weights[0], weights[1], weights[2]}},
+      CombinePush{
+          count_, groups * kVectorInvocations, vertexCount_, {weights[0], weights[1], weights[2]}},
       groups);
 }
 
@@ -117,13 +119,14 @@ void LbfgsVectors::recordDirection(CommandStream& stream,
   const std::uint32_t groups = reductionGroups(count_);
   stream.dispatch(
       combineDirection_,
-      CombinePush{count_, groups * kVectorInvocations, {weights[0], weights[1], weights[2]}},
+      CombinePush{
+          count_, groups * kVectorInvocations, vertexCount_, {weights[0], weights[1], weights[2]}},
       groups);
 }
 
 void LbfgsVectors::recordTrial(CommandStream& stream, double length, int slot) const {
   const std::uint32_t groups = (count_ + kVectorInvocations - 1) / kVectorInvocations;
-  const StepPush push{count_, static_cast<float>(length), resolution_};
+  const StepPush push{count_, static_cast<float>(length), resolution_, vertexCount_};
   stream.dispatch(kernels_[current_].step, push, groups);
   gradient_.record(stream, states_[1 - current_].evaluation);
   stream.dispatch(kernels_[current_].pair[slot], push, groups);

@@ -67,6 +67,7 @@ class LbfgsVectors {
 
   const Device& device_;
   std::uint32_t count_;
+  std::uint32_t vertexCount_;
   float resolution_;
   GridGradient gradient_;
   VertexVector rightSide_;

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "core/error.h"
-#include "energy/strut_energy.h"
+#include "energy/grid_energy.h"
 #include "solve/adjoint_solver.h"
 #include "solve/imperfection.h"
 #include "solve/preconditioners.h"
@@ -75,7 +75,7 @@ MultigridSolver::MultigridSolver(const Device& device, StrutGrid grid,
                                  std::shared_ptr<DeviceGrid> deviceGrid)
     : device_(device),
       grid_(std::move(grid)),
-      energy_(std::make_unique<StrutEnergy>(grid_)),
+      energy_(std::make_unique<GridEnergy>(grid_)),
       deviceGrid_(std::move(deviceGrid)) {}
 
 MultigridSolver::MultigridSolver(const Device& device, const StrutGrid& grid)
@@ -93,7 +93,7 @@ void MultigridSolver::setGrid(StrutGrid grid) {
   const int mostVertices = deviceGrid_->mostVertices();
   deviceGrid_->assign(grid);
   grid_ = std::move(grid);
-  energy_ = std::make_unique<StrutEnergy>(grid_);
+  energy_ = std::make_unique<GridEnergy>(grid_);
   if (deviceGrid_->uniformStiffness().has_value() != wasUniform ||
       deviceGrid_->mostVertices() != mostVertices) {
     adjoint_.reset();  // Kernels and smoothers are made for them.
@@ -104,7 +104,11 @@ void MultigridSolver::setGrid(StrutGrid grid) {
 }
 
 void MultigridSolver::moveTo(const Eigen::Matrix3Xd& positions) {
-  deviceGrid_->uploadPositions(positions);
+  moveTo(positions, turnWithBars(grid_, positions));
+}
+
+void MultigridSolver::moveTo(const Eigen::Matrix3Xd& positions, const JointRotations& rotations) {
+  deviceGrid_->uploadPositions(positions, rotations);
 }
 
 PreconditionedDescent& MultigridSolver::descent() {
@@ -117,6 +121,7 @@ PreconditionedDescent& MultigridSolver::descent() {
 Eigen::Matrix3Xd MultigridSolver::solveCoarse(const StrutGrid& grid,
                                               SolveProgress& progress) const {
   const auto deviceGrid = std::make_shared<DeviceGrid>(device_, grid);
+  deviceGrid->uploadPositions(grid.positions, turnWithBars(grid, grid.positions));
   PreconditionedDescent descent(device_, *deviceGrid, precisionOf(device_));
   progress.tellGrid(deviceGrid);
   EnergyFall fall(kCoarseTolerance, progress.noEnergy());
@@ -137,7 +142,7 @@ Eigen::Matrix3Xd MultigridSolver::solveNested(const std::vector<NestedGrid>& gri
     if (!progress.reasonToStop()) {
       StrutGrid coarse = grids[n].grid;
       coarse.positions = std::move(positions);
-      progress.beginGrid(n, coarse.spacing, StrutEnergy(coarse).meanStiffness());
+      progress.beginGrid(n, coarse.spacing, GridEnergy(coarse).meanStiffness());
       positions = solveCoarse(coarse, progress);
     }
     positions = withImperfection(grids[n + 1].grid, prolong(grids[n], positions, grids[n + 1]));
@@ -163,9 +168,10 @@ StopReason MultigridSolver::solveFinest(std::size_t phase, const SolveOptions& o
 Equilibrium MultigridSolver::assess(StopReason reason, double tolerance) const {
   Equilibrium result;
   result.positions = deviceGrid_->downloadPositions();
-  const StrutEnergy::Value value = energy_->evaluate(result.positions);
+  result.rotations = deviceGrid_->downloadRotations(deviceGrid_->positions());
+  const GridEnergy::Value value = energy_->evaluate(result.positions, result.rotations);
   result.energy = value.energy;
-  result.residual = energy_->residual(value.gradient);
+  result.residual = value.residual;
   // The device may see a slightly other residual than the host in double: the host decides.
   result.reason = reason;
   if (result.residual <= tolerance) {
@@ -186,7 +192,13 @@ Equilibrium MultigridSolver::solve(const SolveOptions& options) {
   }
   SolveProgress progress(options, vertexCounts);
   if (!options.startsNear) {
-    moveTo(solveNested(nested, options.resumeFrom, progress));
+    const auto& from = options.resumeFrom;
+    if (from && static_cast<std::size_t>(from->phase) + 1 == nested.size() &&
+        from->rotations.cols() == from->positions.cols()) {
+      moveTo(from->positions, from->rotations);
+    } else {
+      moveTo(solveNested(nested, from, progress));
+    }
     nested.clear();
   }
   const StopReason reason = solveFinest(vertexCounts.size() - 1, options, progress);

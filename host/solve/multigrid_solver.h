@@ -13,7 +13,7 @@ namespace morphgrid {
 class AdjointSolver;
 class PreconditionedDescent;
 class SolveProgress;
-class StrutEnergy;
+class GridEnergy;
 
 /// L-BFGS on the device whose initial inverse Hessian is a V-cycle of multigrid on the Gauss-Newton
 /// Hessian. It owns a grid, on the host and on the device, and keeps what it has allocated while
@@ -40,6 +40,8 @@ class MultigridSolver {
   /// positions: 3 x vertexCount, in the scene's unit of length; where SolveOptions::startsNear
   /// starts, and where adjoints are taken.
   void moveTo(const Eigen::Matrix3Xd& positions);
+  /// With the rotations of a frame's joints; else they turn as their bars do in the mean.
+  void moveTo(const Eigen::Matrix3Xd& positions, const JointRotations& rotations);
 
   /// onDevice() holds the solution afterwards. Iterations are V-cycles, those of coarser grids
   /// counted by their share of the vertices. Throws DeviceError when the device fails, InputError
@@ -66,7 +68,7 @@ class MultigridSolver {
 
   const Device& device_;
   StrutGrid grid_;
-  std::unique_ptr<StrutEnergy> energy_;  ///< The energy of grid_.
+  std::unique_ptr<GridEnergy> energy_;  ///< The energy of grid_.
   std::shared_ptr<DeviceGrid> deviceGrid_;
   std::unique_ptr<PreconditionedDescent> descent_;
   std::unique_ptr<AdjointSolver> adjoint_;

@@ -251,6 +251,13 @@ StrutGrid coarsened(const StrutGrid& fine, const GridShape& shape) {
   return coarse;
 }
 
+/// One bar for as many as fit into its length side by side, as thick in spacings.
+BarSection thickened(const BarSection& bar, double longer, double thickness) {
+  const double bending = longer * thickness * thickness;
+  return {longer * bar.stretching, bending * bar.bendingN, bending * bar.bendingB,
+          bending * bar.twisting,  bar.shearing / longer,  thickness * bar.joint};
+}
+
 /// Moves the layers apart by wantedThickness, or as far as the rest lengths allow.
 NestedGrid thickened(StrutGrid grid, const StrutGrid& finest, double wantedThickness) {
   const GridShape& shape = grid.shape;
@@ -263,6 +270,12 @@ NestedGrid thickened(StrutGrid grid, const StrutGrid& finest, double wantedThick
   spreadLayers(shape, grid.rest.v, thickness);
   for (double& length : grid.rest.w) {
     length *= thickness;
+  }
+  if (finest.bars) {
+    const double longer = grid.spacing / finest.spacing;
+    grid.bars = Bars{thickened(finest.bars->lateral, longer, thickness),
+                     thickened(finest.bars->upright, longer, thickness),
+                     resampleLayers(finest.shape, finest.bars->printed, shape, thickness)};
   }
   grid.positions = resampleLayers(finest.shape, finest.positions, shape, thickness);
   return {std::move(grid), thickness};
@@ -304,7 +317,9 @@ std::vector<NestedGrid> nestGrids(const StrutGrid& finest) {
     const double factor = grids.size() == 1 ? kFirstThickness : 2;
     grids.push_back(thickened(std::move(coarse), finest, factor * grids.back().thickness));
   }
-  addHeavierCorners(grids);
+  if (!finest.bars) {
+    addHeavierCorners(grids);
+  }
   std::reverse(grids.begin(), grids.end());
   return grids;
 }

@@ -25,6 +25,8 @@ class PreconditionedDescent {
   Eigen::Matrix3Xd positions() const {
     return grid_.downloadPositions(vectors_.currentPositions());
   }
+  /// Of a frame.
+  JointRotations rotations() const { return grid_.downloadRotations(vectors_.currentPositions()); }
   double energy() const { return sums_.energy; }
   double gradientNorm() const;
   /// How far the energy would have fallen in the last step, were it quadratic; infinite before
@@ -41,7 +43,8 @@ class PreconditionedDescent {
   const VertexVector& rightSide() const { return vectors_.rightSide(); }
   const VertexVector& correction() const { return vectors_.correction(); }
   const VertexVector& direction() const { return vectors_.direction(); }
-  const GridShape& shape() const { return grid_.shape(); }
+  /// See DeviceGrid::vectorLength().
+  int vectorLength() const { return grid_.vectorLength(); }
 
  private:
   void linearise();

@@ -36,8 +36,8 @@ class RecordedCycle {
 /// A cycle of its own.
 struct OwnCycle {
   OwnCycle(const Device& device, const DeviceGrid& grid)
-      : rightSide(device, grid.shape().vertexCount()),
-        correction(device, grid.shape().vertexCount()),
+      : rightSide(device, grid.vectorLength()),
+        correction(device, grid.vectorLength()),
         cycle(device, grid, rightSide, correction) {
     cycle.linearise(grid.positions());
   }

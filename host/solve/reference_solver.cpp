@@ -146,8 +146,12 @@ Equilibrium solveReference(const StrutGrid& grid, const SolveOptions& options) {
     }
     const bool interrupted = options.stopRequested();
     pace.offer(0, last || interrupted, [&] {
-      return SolveCheckpoint{0, result.positions, static_cast<double>(result.iterations),
-                             result.seconds, result.history};
+      return SolveCheckpoint{0,
+                             result.positions,
+                             {},
+                             static_cast<double>(result.iterations),
+                             result.seconds,
+                             result.history};
     });
     if (last) {
       result.reason = result.converged ? StopReason::residual : StopReason::iterationLimit;

@@ -16,7 +16,11 @@ constexpr std::uint64_t kTexel = sizeof(vec4);
 constexpr std::uint64_t kGridTexels = 4;      // DeviceGrid
 constexpr std::uint64_t kStagingTexels = 1;   // A download on its way to the host.
 constexpr std::uint64_t kDescentTexels = 16;  // LbfgsVectors, VCycle, GridHessian
-constexpr std::uint64_t kAdjointTexels = 2;   // AdjointSolver, beside the descent's.
+constexpr std::uint64_t kVertexTexels = kGridTexels + kStagingTexels + kDescentTexels;
+// Of a frame: two of positions, vectors and the Hessian's positions, printed directions, and blocks
+// of 6 x 6 for the two texels of 3 x 3.
+constexpr std::uint64_t kFrameTexels = 2 * (kVertexTexels - 2 - 2) + 2 + 1 + 9;
+constexpr std::uint64_t kAdjointTexels = 2;  // AdjointSolver, beside the descent's.
 
 // Texels a point of a coarse level: the matrix and its inverse diagonal, centre, three motions and
 // levers.
@@ -46,8 +50,8 @@ std::uint64_t inverseTexels(const GridShape& shape) {
 
 }  // namespace
 
-SolveMemory multigridMemory(const GridShape& shape) {
-  const std::uint64_t texels = (kGridTexels + kStagingTexels + kDescentTexels) * vertices(shape) +
+SolveMemory multigridMemory(const GridShape& shape, bool isFrame) {
+  const std::uint64_t texels = (isFrame ? kFrameTexels : kVertexTexels) * vertices(shape) +
                                kPointTexels * points(shape) + inverseTexels(shape);
   const auto partTexels = [&](int rows) {
     return kPartTexels * static_cast<std::uint64_t>(shape.verticesU) *

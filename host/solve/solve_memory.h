@@ -15,7 +15,7 @@ struct SolveMemory {
 };
 
 /// MultigridSolver, with checkpoints.
-SolveMemory multigridMemory(const GridShape& shape);
+SolveMemory multigridMemory(const GridShape& shape, bool isFrame = false);
 
 /// MultigridSolver with adjoints, and what inverse design keeps on the host, with checkpoints.
 SolveMemory inverseDesignMemory(const GridShape& shape);

@@ -82,7 +82,8 @@ void SolveProgress::add(const PreconditionedDescent& descent, const EnergyFall& 
   }
   const int phase = static_cast<int>(phase_);
   pace_.offer(phase, reasonToStop().has_value(), [&] {
-    return SolveCheckpoint{phase, descent.positions(), cycles_, seconds(), history_};
+    return SolveCheckpoint{phase,   descent.positions(), descent.rotations(),
+                           cycles_, seconds(),           history_};
   });
 }
 

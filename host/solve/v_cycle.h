@@ -1,6 +1,6 @@
 #pragma once
 #include "solve/coarse_levels.h"
-#include "solve/grid_hessian.h"
+#include "solve/hessian.h"
 
 namespace morphgrid {
 
@@ -20,16 +20,16 @@ class VCycle {
   void record(CommandStream& stream) const;
 
   /// The Hessian at the positions of the last linearise().
-  GridHessian& hessian() { return hessian_; }
+  Hessian& hessian() { return *hessian_; }
 
  private:
   VertexVector residual_;
   VertexVector smoothed_;
-  GridHessian hessian_;
+  std::unique_ptr<Hessian> hessian_;
   CoarseLevels coarse_;
-  GridHessian::Step firstSmoothing_;
-  GridHessian::Step computeResidual_;
-  GridHessian::Step lastSmoothing_;
+  Hessian::Step firstSmoothing_;
+  Hessian::Step computeResidual_;
+  Hessian::Step lastSmoothing_;
   CommandStream stream_;
 };
 

@@ -29,9 +29,13 @@ CONSTANT uint kVectorInvocations = 128u;
 // A reduction's workgroups, each of which leaves one value for the host to add up.
 CONSTANT uint kMostReductionGroups = 256u;
 
+// A turn of a joint by a radian counts as so large a move, in spacings, where steps are bounded.
+CONSTANT float kMovePerTurn = 4.0f;
+
 struct CombinePush {
-  uint count;  // Vertices.
+  uint count;  // Texels.
   uint stride;
+  uint vertices;  // Texels behind these are turns of joints (frame_types.h); so below.
   float weights[kPairs];
 };
 
@@ -44,6 +48,7 @@ struct StepPush {
   uint count;
   float share;       // Share of the direction that is gone, downhill.
   float resolution;  // Spacings per step of the fixed-point positions.
+  uint vertices;
 };
 
 // Dot products of what L-BFGS keeps.
@@ -54,9 +59,9 @@ struct PairDots {
 };
 
 #ifdef __cplusplus
-static_assert(sizeof(CombinePush) == 20);
+static_assert(sizeof(CombinePush) == 24);
 static_assert(sizeof(DotsPush) == 8);
-static_assert(sizeof(StepPush) == 12);
+static_assert(sizeof(StepPush) == 16);
 static_assert(sizeof(PairDots) == 80);
 }  // namespace morphgrid
 #endif

@@ -1,4 +1,6 @@
 // Rigid motions of points, and the blocks of 6 x 6 that act on them (shared/multigrid_types.h).
+#ifndef MORPHGRID_SOLVE_BLOCK
+#define MORPHGRID_SOLVE_BLOCK
 struct Motion {
   vec3 t;
   vec3 w;
@@ -87,3 +89,4 @@ Block unpackBlock(vec4 a, vec4 b, vec4 c, vec4 d, vec4 e, vec4 f, vec4 g, vec4 h
 #define STORE_MOTION(result, point, motion)        \
   result[2 * (point)] = vec4((motion).t, 0.0);     \
   result[2 * (point) + 1] = vec4((motion).w, 0.0)
+#endif

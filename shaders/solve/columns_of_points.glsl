@@ -6,6 +6,8 @@
 layout(binding = kBindingPositions, rgba32i) readonly uniform iimageBuffer positions;
 layout(push_constant) uniform Push { ColumnPush push; };
 
+int vertexCount() { return push.grid.size.x * push.grid.size.y * push.grid.size.z; }
+
 // In the nearest column that there is.
 int indexInColumn(ivec2 column, int layer) {
   return vertexIndex(push.grid.size, ivec3(nearestPoint(ivec2(push.grid.size), column), layer));

@@ -3,9 +3,8 @@
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_control_flow_attributes : require
 #include "shared/multigrid_types.h"
-#include "solve/block.glsl"
+#include "solve/block_inverse.glsl"
 #include "solve/point_rows.glsl"
-#include "solve/symmetric_inverse.glsl"
 
 layout(local_size_x_id = kConstantSubgroupSize) in;
 
@@ -17,10 +16,6 @@ layout(std430, binding = kBindingInverse + 1u) writeonly buffer Inverse1 { vec4 
 layout(std430, binding = kBindingInverse + 2u) writeonly buffer Inverse2 { vec4 inverse2[]; };
 layout(push_constant) uniform Push { SmoothingPush push; };
 
-// A pivot below this share of its diagonal counts as absent: its row and column of the inverse are zero.
-// Columns of one layer do not turn; in the plane nothing holds z.
-const float kLeastPivot = 1e-5;
-
 void main() {
   ivec2 p = pointOf(push.firstRow);
   if (!hasPoint(push.size, p)) {
@@ -28,13 +23,6 @@ void main() {
   }
   int point = pointIndex(push.size, p);
   Block a = BLOCK_AT(self0, self1, self2, point);
-  mat3 inverseTt = inverseOf(a.tt, kLeastPivot * diagonalOf(a.tt));
-  mat3 wtTimesInverse = a.wt * inverseTt;
-  mat3 schurComplement = a.ww - wtTimesInverse * transpose(a.wt);
-  Block inverse;
-  inverse.ww = inverseOf(schurComplement, kLeastPivot * diagonalOf(a.ww));
-  inverse.wt = -inverse.ww * wtTimesInverse;
-  inverse.tw = transpose(inverse.wt);
-  inverse.tt = inverseTt - transpose(wtTimesInverse) * inverse.wt;
+  Block inverse = inverseOf(a);
   STORE_BLOCK(inverse0, inverse1, inverse2, writtenIndex(push.size), inverse);
 }

@@ -1,4 +1,5 @@
-// A linear combination of vectors, and its largest step: either loop of L-BFGS's recursion.
+// A linear combination of vectors, and its largest step: either loop of L-BFGS's recursion. Turns count as moves
+// by kMovePerTurn.
 #version 450
 #extension GL_GOOGLE_include_directive : require
 #include "shared/lbfgs_types.h"
@@ -22,7 +23,8 @@ void main() {
     vec4 sum = imageLoad(base, v) + push.weights[0] * imageLoad(first, v) +
                push.weights[1] * imageLoad(second, v) + push.weights[2] * imageLoad(third, v);
     result[n] = sum;
-    square = max(square, dot(sum, sum));
+    float scale = n < push.vertices ? 1.0 : kMovePerTurn;
+    square = max(square, scale * scale * dot(sum, sum));
   }
   uint lane = gl_LocalInvocationIndex;
   squares[lane] = square;

@@ -3,6 +3,7 @@
 #extension GL_GOOGLE_include_directive : require
 #include "shared/lbfgs_types.h"
 #include "energy/arm.glsl"
+#include "energy/turn.glsl"
 
 layout(local_size_x = kVectorInvocations) in;
 
@@ -18,7 +19,9 @@ void main() {
   uint n = gl_GlobalInvocationID.x;
   if (n < push.count) {
     int v = int(n);
-    taken[n] = vec4(stepsBetween(imageLoad(from, v), imageLoad(to, v)) * push.resolution, 0.0);
+    ivec4 before = imageLoad(from, v), after = imageLoad(to, v);
+    taken[n] = vec4(n < push.vertices ? stepsBetween(before, after) * push.resolution
+                                      : turnBetween(before, after), 0.0);
     change[n] = imageLoad(gradientAfter, v) - imageLoad(gradientBefore, v);
   }
 }

@@ -1,8 +1,9 @@
-// A step downhill: trial positions.
+// A step downhill: trial positions, and rotations.
 #version 450
 #extension GL_GOOGLE_include_directive : require
 #include "shared/lbfgs_types.h"
 #include "energy/arm.glsl"
+#include "energy/turn.glsl"
 
 layout(local_size_x = kVectorInvocations) in;
 
@@ -14,7 +15,8 @@ layout(push_constant) uniform Push { StepPush push; };
 void main() {
   uint n = gl_GlobalInvocationID.x;
   if (n < push.count) {
-    vec3 steps = -push.share / push.resolution * imageLoad(direction, int(n)).xyz;
-    trial[n] = moved(imageLoad(positions, int(n)), steps);
+    vec3 change = -push.share * imageLoad(direction, int(n)).xyz;
+    ivec4 now = imageLoad(positions, int(n));
+    trial[n] = n < push.vertices ? moved(now, change / push.resolution) : turned(now, change);
   }
 }

@@ -2,11 +2,12 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_control_flow_attributes : require
-#include "shared/multigrid_types.h"
+#include "shared/frame_types.h"
 #include "solve/block.glsl"
 #include "solve/columns_of_points.glsl"
 
 layout(local_size_x_id = kConstantSubgroupSize) in;
+layout(constant_id = kConstantJointsTurn) const bool kJointsTurn = false;
 
 layout(binding = kBindingCoarseVector, rgba32f) readonly uniform imageBuffer motions;
 // One buffer twice: loads of texels are the faster ones.
@@ -25,5 +26,9 @@ void main() {
     vec3 lever = between(centre, positionAt(column, layer));
     vec3 moved = imageLoad(vertexMotions, vertex).xyz + motion.t + cross(motion.w, lever);
     result[vertex] = vec4(moved, 0.0);
+    if (kJointsTurn) {
+      int joint = vertexCount() + vertex;
+      result[joint] = vec4(imageLoad(vertexMotions, joint).xyz + motion.w, 0.0);
+    }
   }
 }

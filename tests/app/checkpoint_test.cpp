@@ -39,7 +39,7 @@ Checkpoint sampleCheckpoint() {
   Checkpoint checkpoint;
   checkpoint.problem = {"0123", {{"layers", "3"}, {"nodes", "4 x 5"}}};
   checkpoint.solve =
-      SolveCheckpoint{2, Eigen::Matrix3Xd::Random(3, 7), 17.0 / 3, 0.1, sampleHistory()};
+      SolveCheckpoint{2, Eigen::Matrix3Xd::Random(3, 7), {}, 17.0 / 3, 0.1, sampleHistory()};
   return checkpoint;
 }
 

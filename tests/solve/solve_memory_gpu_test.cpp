@@ -4,6 +4,7 @@
 #include "solve/jacobi_solver.h"
 #include "solve/multigrid_solver.h"
 #include "solve/preconditioned_descent.h"
+#include "tests/solve/frame_grids.h"
 #include "tests/solve/sample_grids.h"
 #include "tests/support/validated_device.h"
 
@@ -21,6 +22,14 @@ TEST_P(SolveMemoryOf, MultigridIsWhatItTakes) {
   PreconditionedDescent descent(device_, deviceGrid, Precision::precise);
   descent.positions();
   EXPECT_NEAR(peak() / multigridMemory(grid.shape).device, 1, 0.15);
+}
+
+TEST_P(SolveMemoryOf, OfAFrameIsWhatItTakes) {
+  const StrutGrid grid = welded(bentGrid(GetParam(), 5), {.width = 0.2, .height = 0.2});
+  DeviceGrid deviceGrid(device_, grid);
+  PreconditionedDescent descent(device_, deviceGrid, Precision::precise);
+  descent.positions();
+  EXPECT_NEAR(peak() / multigridMemory(grid.shape, true).device, 1, 0.15);
 }
 
 TEST_P(SolveMemoryOf, InverseDesignIsWhatAdjointsTakeBesides) {

@@ -1,0 +1,124 @@
+#include "energy/frame_energy.h"
+
+#include <Eigen/Eigenvalues>
+#include <vector>
+
+#include "energy/beam_term.h"
+
+namespace morphgrid {
+namespace {
+
+using Eigen::Matrix3Xd;
+using Matrix9d = Eigen::Matrix<double, 9, 9>;
+using Vector9d = Eigen::Matrix<double, 9, 1>;
+
+/// Where a frame is.
+struct Placement {
+  const Matrix3Xd& positions;
+  const JointRotations& rotations;
+
+  BeamTerm::Ends<double> endsOf(const BeamTerm& term, const Edge& edge) const {
+    return term.endsAt(positions.col(edge.to) - positions.col(edge.from),
+                       Eigen::Quaterniond(rotations.col(edge.from)),
+                       Eigen::Quaterniond(rotations.col(edge.to)));
+  }
+};
+
+/// Of a vector of unknowns: how a bar's ends move.
+Vector9d atEnds(const Edge& edge, const Matrix3Xd& unknowns) {
+  const Eigen::Index count = unknowns.cols() / 2;
+  Vector9d result;
+  result << unknowns.col(edge.to) - unknowns.col(edge.from), unknowns.col(count + edge.from),
+      unknowns.col(count + edge.to);
+  return result;
+}
+
+/// The transposed of atEnds().
+void addToEnds(const Edge& edge, const Vector9d& values, Matrix3Xd& unknowns) {
+  const Eigen::Index count = unknowns.cols() / 2;
+  unknowns.col(edge.to) += values.head<3>();
+  unknowns.col(edge.from) -= values.head<3>();
+  unknowns.col(count + edge.from) += values.segment<3>(3);
+  unknowns.col(count + edge.to) += values.tail<3>();
+}
+
+Matrix9d positivePart(const Matrix9d& symmetric) {
+  const Eigen::SelfAdjointEigenSolver<Matrix9d> eigen(symmetric);
+  return eigen.eigenvectors() * eigen.eigenvalues().cwiseMax(0).asDiagonal() *
+         eigen.eigenvectors().transpose();
+}
+
+/// From (displacement, turn) of a and of b to the nine unknowns of a bar.
+Eigen::Matrix<double, 9, 12> nineOfTwelve() {
+  Eigen::Matrix<double, 9, 12> result = Eigen::Matrix<double, 9, 12>::Zero();
+  result.block<3, 3>(0, 0) = -Eigen::Matrix3d::Identity();
+  result.block<3, 3>(0, 6).setIdentity();
+  result.block<3, 3>(3, 3).setIdentity();
+  result.block<3, 3>(6, 9).setIdentity();
+  return result;
+}
+
+}  // namespace
+
+FrameEnergy::Value FrameEnergy::evaluate(const Matrix3Xd& positions,
+                                         const JointRotations& rotations) const {
+  const Placement place{positions, rotations};
+  Value value{0, Matrix3Xd::Zero(3, 2 * positions.cols())};
+  BeamTerm::forEach(grid_, [&](const BeamTerm& term, const Edge& edge) {
+    const BeamTerm::Value at = term.evaluate(place.endsOf(term, edge));
+    value.energy += at.energy;
+    addToEnds(edge, at.gradient, value.gradient);
+  });
+  return value;
+}
+
+FrameEnergy::Shares FrameEnergy::shares(const Matrix3Xd& positions,
+                                        const JointRotations& rotations) const {
+  const Placement place{positions, rotations};
+  BeamTerm::Strains<double> sum = BeamTerm::Strains<double>::Zero();
+  BeamTerm::forEach(grid_, [&](const BeamTerm& term, const Edge& edge) {
+    sum += term.strains(place.endsOf(term, edge)).cwiseAbs2().cwiseProduct(term.stiffness()) / 2;
+  });
+  return {sum[0], sum[1] + sum[2], sum[3] + sum[4], sum[5]};
+}
+
+Eigen::SparseMatrix<double> FrameEnergy::hessian(const Matrix3Xd& positions,
+                                                 const JointRotations& rotations,
+                                                 Definiteness definiteness) const {
+  const Placement place{positions, rotations};
+  const Eigen::Matrix<double, 9, 12> spread = nineOfTwelve();
+  std::vector<Eigen::Triplet<double>> entries;
+  entries.reserve(static_cast<std::size_t>(78) * grid_.shape.strutCount());
+  BeamTerm::forEach(grid_, [&](const BeamTerm& term, const Edge& edge) {
+    const Matrix9d exact = term.hessian(place.endsOf(term, edge));
+    Matrix9d symmetric = (exact + exact.transpose()) / 2;
+    if (definiteness == Definiteness::positiveParts) {
+      symmetric = positivePart(symmetric);
+    }
+    const Eigen::Matrix<double, 12, 12> block = spread.transpose() * symmetric * spread;
+    const auto unknown = [&](int n) { return 6 * (n < 6 ? edge.from : edge.to) + n % 6; };
+    for (int column = 0; column < 12; ++column) {
+      for (int row = 0; row < 12; ++row) {
+        if (unknown(row) >= unknown(column)) {
+          entries.emplace_back(unknown(row), unknown(column), block(row, column));
+        }
+      }
+    }
+  });
+  const int size = 6 * grid_.shape.vertexCount();
+  Eigen::SparseMatrix<double> hessian(size, size);
+  hessian.setFromTriplets(entries.begin(), entries.end());
+  return hessian;
+}
+
+Matrix3Xd FrameEnergy::hessianProduct(const Matrix3Xd& positions, const JointRotations& rotations,
+                                      const Matrix3Xd& motion) const {
+  const Placement place{positions, rotations};
+  Matrix3Xd result = Matrix3Xd::Zero(3, motion.cols());
+  BeamTerm::forEach(grid_, [&](const BeamTerm& term, const Edge& edge) {
+    addToEnds(edge, term.hessian(place.endsOf(term, edge)) * atEnds(edge, motion), result);
+  });
+  return result;
+}
+
+}  // namespace morphgrid
