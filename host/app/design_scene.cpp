@@ -118,6 +118,7 @@ RunRecord recordOf(const Scene& scene, const SceneDesign& designed) {
   record.title = scene.title;
   record.method = nameOf(scene.method);
   record.scaling = nameOf(scene.scaling);
+  record.model = nameOf(scene.material.model);
   record.grid = {{design.nodesU + 1, design.nodesV + 1, design.layers},
                  design.spacing,
                  design.layerSpacing,

@@ -16,7 +16,7 @@ SolveMemory memoryFor(const GridShape& shape, const Workload& work) {
   if (work.inverseDesign) {
     return inverseDesignMemory(shape);
   }
-  return work.method == Method::jacobi ? jacobiMemory(shape) : multigridMemory(shape);
+  return work.method == Method::jacobi ? jacobiMemory(shape) : multigridMemory(shape, work.isFrame);
 }
 
 double vertexCount(const GridShape& shape) {
@@ -104,7 +104,8 @@ Workload workloadOf(const Scene& scene) {
   const DesignRequest& design = scene.design;
   return {scene.method,
           scene.method == Method::multigrid &&
-              (design.compensateRounds + design.optimiseSteps > 0 || design.enforceShrinkage)};
+              (design.compensateRounds + design.optimiseSteps > 0 || design.enforceShrinkage),
+          scene.material.model == Model::frame};
 }
 
 std::optional<std::string> explainOverflow(const GridShape& shape, const Workload& work,

@@ -25,6 +25,14 @@ void addGrid(Digest& digest, const StrutGrid& grid) {
   digest.addList(allOf(grid.positions));
   addStrutValues(digest, grid.rest);
   addStrutValues(digest, grid.stiffness);
+  if (grid.bars) {
+    for (const BarSection& bar : {grid.bars->lateral, grid.bars->upright}) {
+      for (const double value :
+           {bar.stretching, bar.bendingN, bar.bendingB, bar.twisting, bar.shearing, bar.joint}) {
+        digest.add(value);
+      }
+    }
+  }
 }
 
 std::string describe(const Weights& weights) {
@@ -42,7 +50,9 @@ std::string digestOfProblem(const Scene& scene, const SceneDesign& designed) {
   addGrid(digest, flat);
   if (designed.design.layers > 1) {
     // On the sheet as it is before the stage in the plane: where that ends is in the checkpoint.
-    addGrid(digest, stackedGrid(designed.design, scene.weights, scene.scaling, flat.positions));
+    StrutGrid stacked = stackedGrid(designed.design, scene.weights, scene.scaling, flat.positions);
+    weld(stacked, scene.material);
+    addGrid(digest, stacked);
     digest.add(scene.design.enforceShrinkage ? scene.design.maxShrinkage : 0.0);
     digest.addList(allOf(designed.targets.value_or(Eigen::Matrix3Xd(3, 0))));
   }
@@ -63,6 +73,7 @@ ProblemIdentity identifyProblem(const Scene& scene, const SceneDesign& designed)
           {"spacing", fmt::format("{}", design.spacing)},
           {"weights", describe(scene.weights)},
           {"scaling", nameOf(scene.scaling)},
+          {"model", nameOf(scene.material.model)},
           {"method", nameOf(scene.method)},
           {"curvature cutoff", fmt::format("{}", request.curvatureCutoff)},
           {"net", request.net == NetKind::orthogonal ? "orthogonal" : "isoline"},

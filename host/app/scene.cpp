@@ -138,10 +138,33 @@ void requireWhatInverseDesignNeeds(const Scene& scene) {
   }
 }
 
+/// A frame is simulated; it is not designed yet, nor judged by its smallest eigenvalue.
+void requireWhatFramesNeed(const Scene& scene) {
+  if (scene.material.model != Model::frame) {
+    return;
+  }
+  const auto require = [&](bool holds, const char* what) {
+    if (!holds) {
+      throw InputError(fmt::format("{}: material.model = \"frame\" {}", scene.file.string(), what));
+    }
+  };
+  const DesignRequest& design = scene.design;
+  require(design.layers > 1, "needs grid.layers >= 2, got 1");
+  require(scene.method != Method::jacobi,
+          "needs solver.method = \"multigrid\" or \"reference\", got \"jacobi\"");
+  require(design.compensateRounds + design.optimiseSteps == 0 && !design.enforceShrinkage,
+          "goes with neither design.compensate, design.optimise nor design.enforce_shrinkage: they "
+          "design in the springs of material.model = \"paper\"");
+  require(
+      !scene.smallestEigenvalue,
+      "has no solver.smallest_eigenvalue yet: leave it out, or take material.model = \"paper\"");
+}
+
 Scene readChecked(const std::filesystem::path& file, const std::string& name,
                   toml::table document) {
   Scene scene = SceneReader(file, name, std::move(document)).read();
   requireWhatInverseDesignNeeds(scene);
+  requireWhatFramesNeed(scene);
   return scene;
 }
 

@@ -8,6 +8,7 @@
 
 #include "design/build_grids.h"
 #include "design/grid_design.h"
+#include "design/material.h"
 #include "report/run_record.h"
 #include "solve/equilibrium.h"
 #include "target/target_request.h"
@@ -52,6 +53,7 @@ struct Scene {
   std::string text;  ///< The whole scene, see sceneText().
   SurfaceRequest surface;
   DesignRequest design;
+  MaterialRequest material;
   Weights weights;
   Scaling scaling = Scaling::normalised;
   Method method = Method::multigrid;

@@ -78,6 +78,9 @@ Simulation simulateScene(const Scene& scene, const SceneDesign& designed, RunCon
       noteOtherWay(record);
     }
     stage.solver.reset();  // Its memory is for pictures now.
+    for (const std::string& notice : adviseOnBars(stage.grid, scene.material)) {
+      record.notices.push_back(notice);
+    }
     record.full = stage.equilibrium;
     noteSaddle(record, "full", *record.full);
   }

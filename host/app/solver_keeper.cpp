@@ -7,7 +7,8 @@ namespace morphgrid {
 std::shared_ptr<MultigridSolver> SolverKeeper::solverFor(const Device& device,
                                                          const StrutGrid& grid) {
   for (const auto& solver : solvers_) {
-    if (solver->grid().shape == grid.shape) {
+    if (solver->grid().shape == grid.shape &&
+        solver->grid().bars.has_value() == grid.bars.has_value()) {
       solver->setGrid(grid);
       return solver;
     }

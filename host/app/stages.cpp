@@ -5,8 +5,9 @@
 #include <cmath>
 
 #include "app/progress_line.h"
-#include "energy/strut_energy.h"
+#include "energy/grid_energy.h"
 #include "inverse/print_scale.h"
+#include "solve/frame_solver.h"
 #include "solve/jacobi_solver.h"
 #include "solve/preconditioners.h"
 #include "solve/reference_solver.h"
@@ -33,7 +34,7 @@ Stage Stages::prepare(StrutGrid grid) {
 
 std::optional<Equilibrium> Stages::solveByMethod(Stage& stage, const SolveOptions& options) {
   if (scene_.method == Method::reference) {
-    return solveReference(stage.grid, options);
+    return stage.grid.bars ? solveFrame(stage.grid, options) : solveReference(stage.grid, options);
   }
   std::optional<Equilibrium> result;
   context_.attempt([&] {
@@ -46,7 +47,9 @@ std::optional<Equilibrium> Stages::solveByMethod(Stage& stage, const SolveOption
 
 void Stages::showOnDevice(const Stage& stage) {
   if (stage.onDevice) {
-    context_.attempt([&] { stage.onDevice->uploadPositions(stage.equilibrium.positions); });
+    context_.attempt([&] {
+      stage.onDevice->uploadPositions(stage.equilibrium.positions, stage.equilibrium.rotations);
+    });
   }
 }
 
@@ -62,10 +65,10 @@ Equilibrium Stages::lastKnown(const StrutGrid& grid) const {
     result.seconds = checkpoint->seconds;
     result.history = checkpoint->history;
   }
-  const StrutEnergy energy(grid);
-  const StrutEnergy::Value value = energy.evaluate(result.positions);
+  result.rotations = turnWithBars(grid, result.positions);
+  const GridEnergy::Value value = GridEnergy(grid).evaluate(result.positions, result.rotations);
   result.energy = value.energy;
-  result.residual = energy.residual(value.gradient);
+  result.residual = value.residual;
   return result;
 }
 
@@ -79,7 +82,7 @@ void Stages::solve(Stage& stage, const char* name, const Eigen::Matrix3Xd& near)
   options.resumeFrom = keeper_.latest();
   if (scene_.method == Method::multigrid && stage.onDevice &&
       near.cols() == stage.grid.shape.vertexCount()) {
-    context_.attempt([&] { stage.onDevice->uploadPositions(near); });
+    context_.attempt([&] { stage.solver->moveTo(near); });
     options.startsNear = true;
   }
   auto result = solveByMethod(stage, options);
@@ -170,7 +173,9 @@ Stage Stages::runInPlane(const GridDesign& design) {
 
 Stage Stages::runFull(const GridDesign& design, const Eigen::Matrix3Xd& printedLayer) {
   const auto stackedAt = [&](double scale) {
-    return stackedGrid(design, scene_.weights, scene_.scaling, scale * printedLayer);
+    StrutGrid grid = stackedGrid(design, scene_.weights, scene_.scaling, scale * printedLayer);
+    weld(grid, scene_.material);
+    return grid;
   };
   StrutGrid grid = stackedAt(1);
   double printScale = 1;

@@ -218,6 +218,7 @@ RunRecord readRecord(const json& r) {
   record.title = r.at("title");
   record.method = r.at("method");
   record.scaling = r.at("scaling");
+  record.model = r.value("model", record.model);  // There was one model before.
   record.device = r.at("device");
   record.secondsTotal = number(r.at("seconds_total"));
   record.grid = readGrid(r.at("grid"));

@@ -187,6 +187,7 @@ std::string toJson(const RunRecord& record) {
       {"title", record.title},
       {"method", record.method},
       {"scaling", record.scaling},
+      {"model", record.model},
       {"device", record.device},
       {"seconds_total", record.secondsTotal},
       {"grid", toJson(record.grid)},

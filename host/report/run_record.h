@@ -58,6 +58,7 @@ struct RunRecord {
   std::string title;
   std::string method;
   std::string scaling;
+  std::string model = "paper";  ///< What struts are to the solver, see Model.
   std::string device;
   double secondsTotal = 0;
   GridFigures grid{};

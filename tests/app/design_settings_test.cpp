@@ -45,6 +45,33 @@ TEST(DesignSettings, InverseDesignNeedsTheMethodThatItRunsOn) {
               HasSubstr("design.optimise must be an integer >= 0 and <= 10000, got -1"));
 }
 
+TEST(MaterialSettings, AreThePapersUnlessAskedFor) {
+  const SceneFiles files(kBezierScene);
+  EXPECT_EQ(files.load().material, MaterialRequest{});
+  const MaterialRequest material =
+      files
+          .load({"material.model=frame", "material.bar_width=0.1", "material.bar_height=0.2",
+                 "material.post_width=0.3", "material.joint_radius=0", "material.poisson=0"})
+          .material;
+  EXPECT_EQ(material, (MaterialRequest{Model::frame, 0.1, 0.2, 0.3, 0.0, 0.0}));
+}
+
+TEST(MaterialSettings, AFrameGoesWithWhatIsThereForIt) {
+  const SceneFiles files(kBezierScene);
+  const auto problems = [&](const char* with) {
+    return files.problems({"material.model=frame", with});
+  };
+  EXPECT_THAT(problems("solver.method=jacobi"),
+              HasSubstr("needs solver.method = \"multigrid\" or \"reference\", got \"jacobi\""));
+  EXPECT_THAT(problems("grid.layers=1"), HasSubstr("needs grid.layers >= 2, got 1"));
+  EXPECT_THAT(problems("design.optimise=1"), HasSubstr("goes with neither"));
+  EXPECT_THAT(problems("solver.smallest_eigenvalue=true"),
+              HasSubstr("has no solver.smallest_eigenvalue yet"));
+  EXPECT_THAT(problems("material.poisson=0.5"), HasSubstr("material.poisson must be"));
+  EXPECT_THAT(problems("material.bar_width=0"),
+              HasSubstr("material.bar_width must be a number > 0"));
+}
+
 TEST(DesignSettings, AnOrthogonalNetGoesWithTheMiddle) {
   const SceneFiles files(kBezierScene);
   const DesignRequest design = files.load({"design.net=orthogonal"}).design;

@@ -12,6 +12,7 @@
 namespace morphgrid {
 namespace {
 
+using testing::ContainsRegex;
 using testing::HasSubstr;
 
 class Run : public testing::Test {
@@ -54,6 +55,25 @@ TEST_F(Run, LeavesReportPicturesAndFiles) {
   EXPECT_GT(json["feasibility"]["close_struts"]["count"], 0) << "the layers' spacing is 0.3";
   EXPECT_LE(json["distance_to_target"]["closest_point_rms_percent"].get<double>(),
             json["distance_to_target"]["rms_percent"].get<double>());
+}
+
+TEST_F(Run, WeldedBarsComeToRestAlikeByBothMethods) {
+  std::vector<double> energies;
+  for (const char* method : {"multigrid", "reference"}) {
+    const ProcessResult run = runMorphgrid(
+        {"run", sceneFile("iris_petal"), "--out", out(), "--validate", "--set", "grid.nodes_long=8",
+         "--set", "material.model=frame", "--set", std::string("solver.method=") + method, "--set",
+         "output.width=320", "--set", "output.height=240"});
+    EXPECT_EQ(run.exitCode, 0) << run.output;
+    EXPECT_THAT(run.output, ContainsRegex("model +frame"));
+    EXPECT_EQ(report()["model"], "frame");
+    EXPECT_EQ(report()["full"]["converged"], true) << method;
+    energies.push_back(report()["full"]["energy"]);
+    EXPECT_TRUE(exists("warped.png"));
+  }
+  EXPECT_NEAR(energies[0], energies[1], 1e-6 * energies[0]);
+  const ProcessResult figures = runMorphgrid({"figures", out(), "--validate"});
+  EXPECT_EQ(figures.exitCode, 0) << figures.output;
 }
 
 TEST_F(Run, KeepsItsReportWhenAnotherFileCannotBeWritten) {

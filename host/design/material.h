@@ -1,0 +1,41 @@
+#pragma once
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "grid/strut_grid.h"
+
+namespace morphgrid {
+
+/// What the struts are to the solver.
+enum class Model {
+  paper,  ///< Springs, and corners with weights that the scene chooses, as in the paper.
+  frame,  ///< Bars that are welded to joints at the angles at which they were printed.
+};
+inline constexpr std::array kModelWords = {"paper", "frame"};
+constexpr const char* nameOf(Model model) { return kModelWords[static_cast<std::size_t>(model)]; }
+
+/// What the struts are made of. Lengths in the scene's unit, > 0.
+struct MaterialRequest {
+  Model model = Model::paper;
+  std::optional<double> barWidth;     ///< In the sheet's plane; a fifth of the mean rest length.
+  std::optional<double> barHeight;    ///< Across it; as the width.
+  std::optional<double> postWidth;    ///< Of square posts; as the width.
+  std::optional<double> jointRadius;  ///< >= 0, of the rigid joint; a quarter of the width.
+  double poisson = 0.3;               ///< >= 0 and < 0.5
+
+  bool operator==(const MaterialRequest&) const = default;
+};
+
+/// Turns the struts of a stacked grid, at the positions where it is printed, into welded bars where
+/// the model asks for it. The modulus makes EA of lateral bars twice the mean stiffness of springs
+/// times the mean rest length, so that energies of both models are of one size. Bars do not shear:
+/// with rigid joints of a quarter of their width that comes closest to solids (docs/method.md).
+/// Throws InputError when joints leave nothing of a strut.
+void weld(StrutGrid& grid, const MaterialRequest& material);
+
+/// What cannot be printed of a welded grid, with the way out, for the user.
+std::vector<std::string> adviseOnBars(const StrutGrid& grid, const MaterialRequest& material);
+
+}  // namespace morphgrid

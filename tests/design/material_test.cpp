@@ -1,0 +1,83 @@
+#include "design/material.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "core/error.h"
+
+namespace morphgrid {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+/// Cells of 2 x 2 in two layers that are 1 apart, stiffness 3.
+StrutGrid stacked() {
+  const GridShape shape{4, 3, 2};
+  StrutGrid grid{
+      shape, 2, Eigen::Matrix3Xd(3, shape.vertexCount()), StrutValues(shape), StrutValues(shape),
+      {}};
+  forEachVertex(shape, [&](const GridPlace& place) {
+    grid.positions.col(shape.index(place)) << 2 * place.i, 2 * place.j, place.layer;
+  });
+  forEachStrut(shape, [&](const Strut& strut) {
+    valueAt(grid.rest, strut) = lengthAt(grid.positions, strut);
+    valueAt(grid.stiffness, strut) = 3;
+  });
+  return grid;
+}
+
+TEST(Weld, LeavesThePapersGridAlone) {
+  StrutGrid grid = stacked();
+  weld(grid, {});
+  EXPECT_FALSE(grid.bars.has_value());
+}
+
+TEST(Weld, TakesBarsAFifthAsWideAsLong) {
+  StrutGrid grid = stacked();
+  weld(grid, {.model = Model::frame});
+  const BarSection& bar = grid.bars->lateral;
+  EXPECT_NEAR(bar.stretching, 2 * 3 * 2, 1e-12);
+  EXPECT_NEAR(bar.bendingN, bar.stretching * 0.4 * 0.4 / 12, 1e-12);
+  EXPECT_NEAR(bar.bendingB, bar.bendingN, 1e-12);
+  EXPECT_NEAR(bar.joint, 0.1, 1e-15);
+  EXPECT_EQ(bar.shearing, 0);
+  EXPECT_NEAR(grid.bars->upright.stretching, bar.stretching, 1e-12);
+  EXPECT_EQ(grid.bars->printed, grid.positions);
+  validate(grid);
+}
+
+TEST(Weld, TakesEachSizeAsAsked) {
+  StrutGrid grid = stacked();
+  weld(grid, {.model = Model::frame,
+              .barWidth = 0.2,
+              .barHeight = 0.4,
+              .postWidth = 0.1,
+              .jointRadius = 0.05});
+  const auto& [lateral, upright, printed] = *grid.bars;
+  EXPECT_NEAR(lateral.bendingN / lateral.stretching, 0.2 * 0.2 / 12, 1e-12);
+  EXPECT_NEAR(lateral.bendingB / lateral.stretching, 0.4 * 0.4 / 12, 1e-12);
+  EXPECT_NEAR(upright.stretching / lateral.stretching, 0.1 * 0.1 / (0.2 * 0.4), 1e-12);
+  EXPECT_EQ(lateral.joint, 0.05);
+}
+
+TEST(Weld, RefusesJointsThatLeaveNothingOfAStrut) {
+  StrutGrid grid = stacked();
+  EXPECT_THAT(
+      [&] { weld(grid, {.model = Model::frame, .jointRadius = 0.5}); },
+      testing::ThrowsMessage<InputError>(HasSubstr(
+          "material.joint_radius must be less than half of the shortest strut, 0.5, got 0.5")));
+}
+
+TEST(AdviseOnBars, TellsOfBarsThatOverlapAndOfStockyOnes) {
+  StrutGrid grid = stacked();
+  EXPECT_THAT(adviseOnBars(grid, {.model = Model::frame}), IsEmpty());
+  EXPECT_THAT(adviseOnBars(grid, {.model = Model::frame, .barWidth = 0.8, .barHeight = 1.1}),
+              ElementsAre(HasSubstr("lower material.bar_height or raise grid.layer_spacing"),
+                          HasSubstr("lower material.bar_width or grid.nodes_long")));
+  EXPECT_THAT(adviseOnBars(grid, {.barWidth = 5}), IsEmpty());
+}
+
+}  // namespace
+}  // namespace morphgrid
