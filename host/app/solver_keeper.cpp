@@ -3,12 +3,18 @@
 #include <algorithm>
 
 namespace morphgrid {
+namespace {
+
+bool isOf(const MultigridSolver& solver, const GridShape& shape, bool isFrame) {
+  return solver.grid().shape == shape && solver.grid().bars.has_value() == isFrame;
+}
+
+}  // namespace
 
 std::shared_ptr<MultigridSolver> SolverKeeper::solverFor(const Device& device,
                                                          const StrutGrid& grid) {
   for (const auto& solver : solvers_) {
-    if (solver->grid().shape == grid.shape &&
-        solver->grid().bars.has_value() == grid.bars.has_value()) {
+    if (isOf(*solver, grid.shape, grid.bars.has_value())) {
       solver->setGrid(grid);
       return solver;
     }
@@ -17,9 +23,9 @@ std::shared_ptr<MultigridSolver> SolverKeeper::solverFor(const Device& device,
   return solvers_.back();
 }
 
-bool SolverKeeper::has(const GridShape& shape) const {
+bool SolverKeeper::has(const GridShape& shape, bool isFrame) const {
   return std::any_of(solvers_.begin(), solvers_.end(),
-                     [&](const auto& solver) { return solver->grid().shape == shape; });
+                     [&](const auto& solver) { return isOf(*solver, shape, isFrame); });
 }
 
 }  // namespace morphgrid

@@ -8,7 +8,7 @@
 
 namespace morphgrid {
 
-/// A bar that is welded to joints a and b (docs/method.md, The frame of welded bars): the sum of
+/// A bar that is welded to joints a and b (docs/method.md, A frame of welded bars): the sum of
 /// `stiffness strain^2 / 2` over six strains. Its ends' state is the vector from a to b and the
 /// joints' rotations; how they change, a vector of 9: the former, then the turns of a and of b, in
 /// space (R <- exp(turn) R).
@@ -44,8 +44,8 @@ struct BeamTerm {
   static void forEach(const StrutGrid& grid, Visit visit) {
     const Bars& bars = *grid.bars;
     forEachStrut(grid.shape, [&](const Strut& strut) {
-      const BarSection& section = bars.section(strut);
-      visit(BeamTerm{section, valueAt(grid.rest, strut) - 2 * section.joint,
+      const BarSection& ofStrut = bars.section(strut);
+      visit(BeamTerm{ofStrut, valueAt(grid.rest, strut) - 2 * ofStrut.joint,
                      axesOf(printedDirection(bars, strut), strut.isLateral())},
             Edge{strut.from, strut.to});
     });

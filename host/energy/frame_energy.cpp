@@ -72,16 +72,6 @@ FrameEnergy::Value FrameEnergy::evaluate(const Matrix3Xd& positions,
   return value;
 }
 
-FrameEnergy::Shares FrameEnergy::shares(const Matrix3Xd& positions,
-                                        const JointRotations& rotations) const {
-  const Placement place{positions, rotations};
-  BeamTerm::Strains<double> sum = BeamTerm::Strains<double>::Zero();
-  BeamTerm::forEach(grid_, [&](const BeamTerm& term, const Edge& edge) {
-    sum += term.strains(place.endsOf(term, edge)).cwiseAbs2().cwiseProduct(term.stiffness()) / 2;
-  });
-  return {sum[0], sum[1] + sum[2], sum[3] + sum[4], sum[5]};
-}
-
 Eigen::SparseMatrix<double> FrameEnergy::hessian(const Matrix3Xd& positions,
                                                  const JointRotations& rotations,
                                                  Definiteness definiteness) const {

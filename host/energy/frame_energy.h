@@ -8,7 +8,7 @@
 namespace morphgrid {
 
 /// The energy of a grid of welded bars (StrutGrid::bars), the sum of its beam terms, in double
-/// precision: the oracle for the device, and what gives the figures of the report. Vectors of
+/// precision: the oracle for the device. Vectors of
 /// unknowns are 3 x 2 vertexCount: a displacement of every joint, then a turn of every joint.
 class FrameEnergy {
  public:
@@ -17,18 +17,12 @@ class FrameEnergy {
     Eigen::Matrix3Xd gradient;  ///< 3 x 2 vertexCount: forces, then moments.
   };
 
-  /// The energy's parts; they add up to it.
-  struct Shares {
-    double stretching, bending, shearing, twisting;
-  };
-
   /// Keeps a reference to the grid, which must be valid and have bars.
   explicit FrameEnergy(const StrutGrid& grid) : grid_(grid) {}
   explicit FrameEnergy(StrutGrid&&) = delete;
 
   /// positions: 3 x vertexCount.
   Value evaluate(const Eigen::Matrix3Xd& positions, const JointRotations& rotations) const;
-  Shares shares(const Eigen::Matrix3Xd& positions, const JointRotations& rotations) const;
 
   /// The exact Hessian, or each bar's positive part of it: square, of 6 vertexCount, the unknowns
   /// of a joint together (displacement, turn), the lower half alone. Symmetric where joints bear no

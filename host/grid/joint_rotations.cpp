@@ -28,7 +28,7 @@ JointRotations turnWithBars(const StrutGrid& grid, const Eigen::Matrix3Xd& posit
     const Eigen::JacobiSVD<Eigen::Matrix3d> svd(products[n],
                                                 Eigen::ComputeFullU | Eigen::ComputeFullV);
     Eigen::Matrix3d mirror = Eigen::Matrix3d::Identity();
-    mirror(2, 2) = (svd.matrixU() * svd.matrixV().transpose()).determinant();
+    mirror(2, 2) = (svd.matrixU() * svd.matrixV().transpose()).determinant() < 0 ? -1 : 1;
     rotations.col(n) =
         Eigen::Quaterniond(svd.matrixU() * mirror * svd.matrixV().transpose()).coeffs();
   }

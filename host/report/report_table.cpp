@@ -199,7 +199,7 @@ void addFigures(Table& table, const RunRecord& record) {
   table.row("nodes, u x v", fmt::format("{} x {}", g.shape.verticesU - 1, g.shape.verticesV - 1),
             ifAll("{} x {}", paper.nodesU, paper.nodesV));
   table.row("layers, spacing", fmt::format("{}, {:.4g}", g.shape.layers, g.layerSpacing));
-  table.row("model", record.model);
+  table.row("model", record.model, record.model == "paper" ? "" : "paper");
   table.row("vertices, struts", fmt::format("{}, {}", g.shape.vertexCount(), g.shape.strutCount()));
   table.row("largest L_b shrink", fmt::format("{:.1f} %", g.bendShrinkPercent),
             ifAll("{:.1f} %", paper.bendShrinkPercent));

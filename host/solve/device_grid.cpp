@@ -165,7 +165,7 @@ DeviceGrid::DeviceGrid(const Device& device, const StrutGrid& grid)
 }
 
 void DeviceGrid::assign(const StrutGrid& grid) {
-  assert(grid.shape == shape_);
+  assert(grid.shape == shape_ && grid.bars.has_value() == isFrame());
   take(validated(grid));
 }
 

@@ -33,7 +33,8 @@ class DeviceGrid {
   /// DeviceError when it exceeds the device's limits.
   DeviceGrid(const Device& device, const StrutGrid& grid);
 
-  /// Another grid of the same shape, in the same buffers. Throws InputError when it is not valid.
+  /// Another grid of the same shape and kind, in the same buffers. Throws InputError when it is not
+  /// valid.
   void assign(const StrutGrid& grid);
 
   /// The same buffers, with the scale of now: for another thread, which may draw while assign()

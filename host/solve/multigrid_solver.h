@@ -34,8 +34,8 @@ class MultigridSolver {
   const std::shared_ptr<DeviceGrid>& onDevice() const { return deviceGrid_; }
 
   void setRest(const StrutValues& rest);
-  /// Another grid of the same shape: what comes of it is what a new solver would give. Throws
-  /// InputError when it is not valid.
+  /// Another grid of the same shape and kind: what comes of it is what a new solver would give.
+  /// Throws InputError when it is not valid.
   void setGrid(StrutGrid grid);
   /// positions: 3 x vertexCount, in the scene's unit of length; where SolveOptions::startsNear
   /// starts, and where adjoints are taken.

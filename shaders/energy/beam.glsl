@@ -1,4 +1,4 @@
-// The beam term: a bar that is welded to its two joints, a and b, which move and turn (docs/method.md, The
+// The beam term: a bar that is welded to its two joints, a and b, which move and turn (docs/method.md, A
 // frame of welded bars). Its energy is the sum of stiffness x strain^2 / 2 over six strains: the stretch, two
 // ways to bend, two to take the shape of an S, and the twist. With PRECISE in double precision.
 #ifndef MORPHGRID_ENERGY_BEAM

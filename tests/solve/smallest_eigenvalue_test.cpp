@@ -66,7 +66,7 @@ INSTANTIATE_TEST_SUITE_P(Layers, SmallestEigenvalueOfSheets,
 // With the default tolerance: close to zero from either side the sign must be right.
 TEST(SmallestEigenvalue, ChangesSignWhereASheetBeginsToBuckle) {
   int saddles = 0;
-  for (int permille = 0; permille <= 20; permille += 4) {
+  for (int permille = 0; permille <= 20; permille += 2) {
     const StrutGrid grid = atRest(tightRimmedSheet({7, 6, 2}, permille / 1000.0));
     const double expected = denseSmallestEigenvalue(grid, Motions::inSpace);
     EXPECT_EQ(verdictOf(compute(grid, {})), expected > 0 ? Verdict::minimum : Verdict::saddle)
@@ -74,7 +74,7 @@ TEST(SmallestEigenvalue, ChangesSignWhereASheetBeginsToBuckle) {
     saddles += expected < 0 ? 1 : 0;
   }
   EXPECT_GT(saddles, 0);
-  EXPECT_LT(saddles, 6);
+  EXPECT_LT(saddles, 10);
 }
 
 TEST(SmallestEigenvalue, OfAReferenceAnswerIsPositive) {
