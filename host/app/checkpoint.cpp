@@ -58,7 +58,7 @@ Equilibrium readEquilibrium(const ArrayReader& reader, const std::string& name) 
   equilibrium.iterations = reader.integer(summary[0], 0, kLargestExactInteger);
   equilibrium.converged = reader.integer(summary[1], 0, 1) == 1;
   equilibrium.reason = static_cast<StopReason>(
-      reader.integer(summary[2], 0, static_cast<double>(StopReason::deviceFailure)));
+      reader.integer(summary[2], 0, static_cast<double>(StopReason::laidOut)));
   equilibrium.residual = summary[3];
   equilibrium.energy = summary[4];
   equilibrium.seconds = summary[5];

@@ -50,8 +50,28 @@ void addNotices(std::vector<std::string>& notices, const ChosenNet& chosen,
   notices.insert(notices.end(), design.notices.begin(), design.notices.end());
 }
 
-SceneDesign designFor(const std::shared_ptr<const Target>& target, const DesignRequest& request,
+double meanOf(const LateralField<double>& values) {
+  double sum = 0;
+  forEachLateralStrut(values.shape(), [&](const Strut& strut) { sum += values.at(strut); });
+  return sum / values.shape().lateralStrutCount();
+}
+
+LaidSheet layOut(const SurfaceMeasurement& measurement, const Eigen::Matrix3Xd& normals,
+                 const GridDesign& design, const ShrinkRange& shrink,
+                 const Cancellation& cancellation) {
+  const SheetProblem problem{.layer = measurement.chords.shape(),
+                             .points = measurement.points,
+                             .normals = normals,
+                             .rest = design.rest,
+                             .shrink = shrink};
+  Sheet sheet = layConformally(problem, cancellation);
+  SheetFigures figures = computeSheetFigures(problem, sheet, design.layerSpacing);
+  return {std::move(sheet), std::move(figures)};
+}
+
+SceneDesign designFor(const Scene& scene, const std::shared_ptr<const Target>& target,
                       const Cancellation& cancellation) {
+  const DesignRequest& request = scene.design;
   const std::unique_ptr<TargetSampler> sampler = target->sampler(cancellation);
   const SurfaceSurvey& survey = target->survey();
   std::optional<ConformalMap> map;
@@ -63,19 +83,36 @@ SceneDesign designFor(const std::shared_ptr<const Target>& target, const DesignR
   const ChosenNet chosen =
       chooseNet(map, size, request, [&](const Net& net) { return sampler->points(net); });
   SurfaceMeasurement measurement = sampler->measure(chosen.net, chosen.points, size.curvatureLimit);
+  Eigen::Matrix3Xd normals;
+  if (request.reference == Reference::middle || request.layout == Layout::conformal) {
+    normals = sampler->normals(chosen.net);
+  }
+  const double barHeight = scene.material.model == Model::frame
+                               ? barSizesOf(scene.material, meanOf(measurement.chords)).height
+                               : 0;
+  GridDesign design = request.reference == Reference::convex
+                          ? designGrid(measurement, size, request.layers)
+                          : designOnOffsets(measurement, normals, size, request.layers, barHeight);
+  std::optional<LaidSheet> sheet;
+  if (request.layout == Layout::conformal) {
+    sheet = layOut(measurement, normals, design, shrinkRangeOf(scene), cancellation);
+  }
   SceneDesign designed{
       target,
-      request.reference == Reference::convex
-          ? designGrid(measurement, size, request.layers)
-          : designOnOffsets(measurement, sampler->normals(chosen.net), size, request.layers),
+      std::move(design),
       MeasurementFigures{survey.longestIsolineU, survey.longestIsolineV, survey.largestCurvature(),
                          size.layerSpacingLimit, size.fewestNodes,
                          listCutoffConsequences(survey, request), suggestCutoff(survey, request),
                          target->curvatureNoise()},
       chosen.figures,
       std::move(measurement.points),
+      std::move(sheet),
       sampler->meshFigures(),
       size.notices};
+  if (designed.sheet) {
+    const auto advice = adviseOn(designed.sheet->figures, shrinkRangeOf(scene));
+    designed.notices.insert(designed.notices.end(), advice.begin(), advice.end());
+  }
   addNotices(designed.notices, chosen, request, designed.design);
   return designed;
 }
@@ -85,7 +122,7 @@ SceneDesign designFor(const std::shared_ptr<const Target>& target, const DesignR
 SceneDesign designScene(const Scene& scene, const std::shared_ptr<const Target>& target) {
   try {
     if (target) {
-      return designFor(target, scene.design, cancellationOf(scene));
+      return designFor(scene, target, cancellationOf(scene));
     }
     const auto& bendAngles = std::get<BendAngleRequest>(scene.surface);
     return {nullptr,
@@ -103,10 +140,11 @@ std::shared_ptr<const SceneDesign> DesignKeeper::designOf(
     const Scene& scene, const std::shared_ptr<const Target>& target) {
   // Bend angles have no target: they are the surface's own keys.
   if (!design_ || design_->target != target || surface_ != scene.surface ||
-      request_ != scene.design) {
+      request_ != scene.design || material_ != scene.material) {
     design_ = std::make_shared<const SceneDesign>(designScene(scene, target));
     surface_ = scene.surface;
     request_ = scene.design;
+    material_ = scene.material;
   }
   return design_;
 }
@@ -125,6 +163,9 @@ RunRecord recordOf(const Scene& scene, const SceneDesign& designed) {
                  100 * largestBendShrink(design)};
   record.measurement = designed.measurement;
   record.net = designed.net;
+  if (designed.sheet) {
+    record.sheet = designed.sheet->figures;
+  }
   record.mesh = designed.mesh;
   record.published = scene.published;
   record.notices = designed.notices;

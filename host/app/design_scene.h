@@ -1,7 +1,14 @@
 #pragma once
 #include "app/load_target.h"
+#include "layout/sheet_figures.h"
 
 namespace morphgrid {
+
+/// A net laid out flat.
+struct LaidSheet {
+  Sheet sheet;
+  SheetFigures figures;
+};
 
 /// The inverse design of a scene, and what was measured for it.
 struct SceneDesign {
@@ -11,6 +18,7 @@ struct SceneDesign {
   std::optional<NetFigures> net;                  ///< None without a target.
   /// 3 x layerVertexCount: where the middle layer's vertices should lie.
   std::optional<Eigen::Matrix3Xd> targets;
+  std::optional<LaidSheet> sheet;  ///< Only of Layout::conformal.
   std::optional<MeshFigures> mesh;   ///< Only of meshes.
   std::vector<std::string> notices;  ///< What was clamped or overridden.
   View ownView = kPatchView;         ///< Where there is no target to say it.
@@ -35,6 +43,7 @@ class DesignKeeper {
  private:
   SurfaceRequest surface_;
   DesignRequest request_;
+  MaterialRequest material_;
   std::shared_ptr<const SceneDesign> design_;
 };
 

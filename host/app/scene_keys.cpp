@@ -62,6 +62,12 @@ SceneKeySection materialKeys() {
                .value = numberKey(at(&Scene::material, &Material::poisson),
                                   NumberRange{.low = 0, .high = 0.5, .lowIncluded = true}),
                .meaning = "Poisson's ratio; it matters for twist alone."},
+              {.name = "least_shrinkage",
+               .value = numberKey(at(&Scene::material, &Material::leastShrinkage),
+                                  NumberRange{.low = -1, .high = 1}),
+               .unit = "share",
+               .meaning = "Share of its printed length that a strut loses at the least; below 0 "
+                          "struts may grow. Less than `grid.max_shrinkage`."},
           }};
 }
 
@@ -206,9 +212,9 @@ KnobOffer aroundItsValue(std::string label) {
 }
 
 const std::vector<SceneKeySection>& sceneKeys() {
-  static const std::vector<SceneKeySection> kSections = {topKeys(),    surfaceKeys(),  gridKeys(),
-                                                         designKeys(), materialKeys(), weightKeys(),
-                                                         solverKeys(), outputKeys(),   paperKeys()};
+  static const std::vector<SceneKeySection> kSections = {
+      topKeys(),    surfaceKeys(), materialKeys(), gridKeys(), designKeys(),
+      weightKeys(), solverKeys(),  outputKeys(),   paperKeys()};
   return kSections;
 }
 

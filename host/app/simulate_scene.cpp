@@ -42,8 +42,8 @@ void assessPrintability(const Stage& stage, const Scene& scene, RunRecord& recor
     record.notices.insert(record.notices.end(), advice.begin(), advice.end());
   };
   if (record.full) {
-    record.shrink = computeShrink(stage.grid, scene.design.maxShrinkage);
-    tell(adviseOn(*record.shrink, scene.design.maxShrinkage));
+    record.shrink = computeShrink(stage.grid, shrinkRangeOf(scene));
+    tell(adviseOn(*record.shrink, shrinkRangeOf(scene)));
   }
   record.feasibility = examineFeasibility(stage.grid.shape, stage.equilibrium.positions,
                                           scene.design.strutThickness);
@@ -64,7 +64,7 @@ Simulation simulateScene(const Scene& scene, const SceneDesign& designed, RunCon
   }
 
   Stages stages(scene, context, keeper, quiet);
-  Stage stage = stages.runInPlane(designed.design);
+  Stage stage = stages.runInPlane(designed.design, designed.sheet ? &designed.sheet->sheet : nullptr);
   record.inPlane = stage.equilibrium;
   if (record.inPlane->reason == StopReason::interrupted && record.inPlane->iterations == 0) {
     throw Cancelled();

@@ -13,6 +13,20 @@
 #include "solve/reference_solver.h"
 
 namespace morphgrid {
+namespace {
+
+Equilibrium laidOut(const Sheet& sheet) {
+  Equilibrium result;
+  result.positions = Eigen::Matrix3Xd::Zero(3, sheet.positions.cols());
+  result.positions.topRows<2>() = sheet.positions;
+  result.iterations = sheet.iterations;
+  result.seconds = sheet.seconds;
+  result.converged = true;
+  result.reason = StopReason::laidOut;
+  return result;
+}
+
+}  // namespace
 
 Stage Stages::prepare(StrutGrid grid) {
   Stage stage{.grid = std::move(grid)};
@@ -152,18 +166,28 @@ std::optional<InverseDesign> Stages::improve(Stage& stage, const Eigen::Matrix3X
   return result;
 }
 
-Stage Stages::runInPlane(const GridDesign& design) {
+void Stages::reachPrintedLayer(Stage& stage, const Sheet* sheet) {
+  if (keeper_.inPlane()) {
+    stage.equilibrium = *keeper_.inPlane();
+    return;
+  }
+  if (sheet) {
+    stage.equilibrium = laidOut(*sheet);
+  } else {
+    solve(stage, "in plane", context_.nearInPlane);
+  }
+  keeper_.beginFullStage(stage.equilibrium);
+}
+
+Stage Stages::runInPlane(const GridDesign& design, const Sheet* sheet) {
   Stage stage = prepare(inPlaneGrid(design, scene_.weights, scene_.scaling));
   context_.draw(
       [&](Pictures& pictures) { pictures.drawInitial(*stage.onDevice, stage.grid.positions); });
-  if (keeper_.inPlane()) {
-    stage.equilibrium = *keeper_.inPlane();
-  } else {
-    solve(stage, "in plane", context_.nearInPlane);
-    keeper_.beginFullStage(stage.equilibrium);
-  }
+  reachPrintedLayer(stage, sheet);
   showOnDevice(stage);
-  assessStability(stage, Motions::inPlane);
+  if (!sheet) {
+    assessStability(stage, Motions::inPlane);
+  }
   stage.solver.reset();
   context_.draw([&](Pictures& pictures) {
     pictures.drawInPlane(*stage.onDevice, stage.equilibrium.positions);
@@ -179,7 +203,7 @@ Stage Stages::runFull(const GridDesign& design, const Eigen::Matrix3Xd& printedL
   };
   StrutGrid grid = stackedAt(1);
   double printScale = 1;
-  if (scene_.design.enforceShrinkage) {
+  if (scene_.design.enforceShrinkage && scene_.design.layout != Layout::conformal) {
     printScale = choosePrintScale(grid, scene_.design.maxShrinkage);
     grid = stackedAt(printScale);
   }

@@ -23,10 +23,11 @@ class Stages {
   Stages(const Scene& scene, RunContext& context, CheckpointKeeper& keeper, bool quiet)
       : scene_(scene), context_(context), keeper_(keeper), quiet_(quiet) {}
 
-  /// One layer of square cells morphs in its plane to what is printed.
-  Stage runInPlane(const GridDesign& design);
-  /// The printed layer, enlarged when every strut has to shrink within the material's bound, and
-  /// stacked, morphs in space.
+  /// One layer of square cells morphs in its plane to what is printed; where a sheet has been laid
+  /// out, it is that.
+  Stage runInPlane(const GridDesign& design, const Sheet* sheet);
+  /// The printed layer, enlarged when every strut has to shrink within the material's bound and it
+  /// was not laid out for that, and stacked, morphs in space.
   Stage runFull(const GridDesign& design, const Eigen::Matrix3Xd& printedLayer);
   /// Other rest lengths, which bring the full stage closer to its targets (3 x layerVertexCount),
   /// as the scene asks for; nothing when it does not or the device fails before the first. Then the
@@ -35,6 +36,7 @@ class Stages {
 
  private:
   Stage prepare(StrutGrid grid);
+  void reachPrintedLayer(Stage& stage, const Sheet* sheet);
   void solve(Stage& stage, const char* name, const Eigen::Matrix3Xd& near);
   std::optional<Equilibrium> solveByMethod(Stage& stage, const SolveOptions& options);
   void showOnDevice(const Stage& stage);

@@ -192,15 +192,29 @@ SceneKeySection designKeys() {
            .meaning = "Lines along the isolines of the parameters, as in the paper, or crossing at "
                       "right angles, as the corners of the grid want it. An orthogonal net has its "
                       "own ratio of the node counts."},
+          {.name = "layout",
+           .value = wordKey(ofDesign(&DesignRequest::layout), kLayoutWords),
+           .kinds = kMeasured,
+           .otherwise =
+               [](Scene& scene) {
+                 const bool isFrame = scene.material.model == Model::frame;
+                 scene.design.layout = isFrame ? Layout::conformal : Layout::inPlane;
+               },
+           .defaultInWords = "`\"conformal\"` for frames, else `\"in_plane\"`",
+           .knob = KnobOffer{"layout"},
+           .meaning = "How the flat sheet is laid out: square cells that morph in their plane, as "
+                      "in the paper, or a sheet whose joints have the angles of the target and "
+                      "whose scale fits the material's range, as welded joints want it."},
           {.name = "reference",
            .value = wordKey(ofDesign(&DesignRequest::reference), kReferenceWords),
            .kinds = kMeasured,
            .otherwise =
                [](Scene& scene) {
-                 scene.design.reference =
-                     scene.design.net == NetKind::isoline ? Reference::convex : Reference::middle;
+                 const bool isPapers = scene.design.net == NetKind::isoline &&
+                                       scene.design.layout == Layout::inPlane;
+                 scene.design.reference = isPapers ? Reference::convex : Reference::middle;
                },
-           .defaultInWords = "`\"convex\"` for `\"isoline\"`, `\"middle\"` for `\"orthogonal\"`",
+           .defaultInWords = "`\"convex\"` for `\"isoline\"` and `\"in_plane\"`, else `\"middle\"`",
            .knob = KnobOffer{"reference"},
            .meaning =
                "What has the target's lengths: each strut's convex side, as in the paper, or "

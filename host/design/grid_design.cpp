@@ -102,6 +102,21 @@ class OffsetSurfaces {
   const Eigen::Matrix3Xd& normals_;
 };
 
+/// How much more lengths must differ between layers where bars resist being bent by themselves.
+double bendingGain(int layers, double layerSpacing, double barHeight) {
+  double squares = 0;
+  for (int k = 0; k < layers; ++k) {
+    squares += std::pow((k - (layers - 1) / 2.0) * layerSpacing, 2);
+  }
+  return layers > 1 ? 1 + layers * barHeight * barHeight / (12 * squares) : 1;
+}
+
+void bendMore(LateralField<double>& rest, const LateralField<double>& middle, double gain) {
+  forEachLateralStrut(rest.shape(), [&](const Strut& strut) {
+    rest.at(strut) = middle.at(strut) + gain * (rest.at(strut) - middle.at(strut));
+  });
+}
+
 }  // namespace
 
 GridDesign designGrid(const SurfaceMeasurement& measurement, const GridSize& size, int layers) {
@@ -133,7 +148,7 @@ GridDesign designGrid(const SurfaceMeasurement& measurement, const GridSize& siz
 }
 
 GridDesign designOnOffsets(const SurfaceMeasurement& measurement, const Eigen::Matrix3Xd& normals,
-                           const GridSize& size, int layers) {
+                           const GridSize& size, int layers, double barHeight) {
   const int nodesU = measurement.nodesU;
   const int nodesV = measurement.nodesV;
   const LateralField<double> zero(nodesU, nodesV);
@@ -141,9 +156,11 @@ GridDesign designOnOffsets(const SurfaceMeasurement& measurement, const Eigen::M
   const OffsetSurfaces surfaces(measurement, normals);
   const double outermost = (layers - 1) / 2.0 * size.layerSpacing;
   requireLengths(measurement.chords, largest(measurement.chords));
-  surfaces.requireStruts(outermost, size.layerSpacing);
+  const double gain = bendingGain(layers, size.layerSpacing, barHeight);
+  surfaces.requireStruts(gain * outermost, size.layerSpacing);
   for (int k = 0; k < layers; ++k) {
     design.rest.push_back(surfaces.chords(k * size.layerSpacing - outermost));
+    bendMore(design.rest.back(), measurement.chords, gain);
   }
   forEachLateralStrut(design.lengths.shape(), [&](const Strut& strut) {
     const double bottom = design.rest.front().at(strut);

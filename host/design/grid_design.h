@@ -29,10 +29,12 @@ GridDesign designGrid(const SurfaceMeasurement& measurement, const GridSize& siz
 /// tau along the normals, struts rest at the chords between p + h N at their ends. L0 is the
 /// longest of them, theta follows from the difference between the bottom and the top layer.
 /// normals: 3 x (nodesU+1)(nodesV+1), unit, of the target at measurement.points; theta > 0 where
-/// the target curves towards them. Throws InputError, with a tau that is too large, where a strut
-/// would have no length left.
+/// the target curves towards them. barHeight, >= 0: bars as high as that resist being bent, so that
+/// lengths differ by `1 + layers barHeight^2 / (12 sum h^2)` times as much between layers. Throws
+/// InputError, with a tau that is too large, where a strut would have no length left.
 GridDesign designOnOffsets(const SurfaceMeasurement& measurement, const Eigen::Matrix3Xd& normals,
-                           const GridSize& size, int layers);
+                           const GridSize& size, int layers, double barHeight = 0);
+
 
 /// Straight from bend angles, for surfaces that are given by how they bend (Fig. 1(c)).
 /// theta runs linearly from the first to the last strut of each row.

@@ -17,6 +17,18 @@ enum class Reference {
 /// As scene files call them.
 inline constexpr std::array kReferenceWords = {"convex", "middle"};
 
+/// How the net is laid out on the flat sheet that is printed.
+enum class Layout {
+  inPlane,    ///< Square cells morph in their plane to the lengths of the convex sides: the paper's.
+  conformal,  ///< Joints keep the angles that they have on the target, see layConformally().
+};
+
+/// As scene files call them.
+inline constexpr std::array kLayoutWords = {"in_plane", "conformal"};
+constexpr const char* nameOf(Layout layout) {
+  return kLayoutWords[static_cast<std::size_t>(layout)];
+}
+
 /// What the user asks of a grid (paper, section 3.1).
 struct DesignRequest {
   int layers = 3;                ///< >= 1
@@ -26,6 +38,7 @@ struct DesignRequest {
   double curvatureCutoff = 1.0;  ///< p, in (0, 1]: share of the |kappa| samples left uncapped
   NetKind net = NetKind::isoline;
   Reference reference = Reference::convex;
+  Layout layout = Layout::inPlane;
   std::optional<double> maxStrutRatio;   ///< Longest over shortest strut, > 1
   int compensateRounds = 0;              ///< Rounds of spring-back correction, >= 0
   int optimiseSteps = 0;                 ///< Steps along the adjoint gradient, >= 0

@@ -29,20 +29,22 @@ double shortestRest(const StrutGrid& grid) {
   return shortest;
 }
 
-double widthOf(const StrutGrid& grid, const MaterialRequest& material) {
-  return material.barWidth.value_or(meanOfLateral(grid, grid.rest) / kDefaultSlenderness);
-}
-
 }  // namespace
+
+BarSizes barSizesOf(const MaterialRequest& material, double meanLength) {
+  const double width = material.barWidth.value_or(meanLength / kDefaultSlenderness);
+  return {.width = width,
+          .height = material.barHeight.value_or(width),
+          .post = material.postWidth.value_or(width),
+          .joint = material.jointRadius.value_or(kJointShare * width)};
+}
 
 void weld(StrutGrid& grid, const MaterialRequest& material) {
   if (material.model != Model::frame) {
     return;
   }
-  const double width = widthOf(grid, material);
-  const double height = material.barHeight.value_or(width);
-  const double post = material.postWidth.value_or(width);
-  const double joint = material.jointRadius.value_or(kJointShare * width);
+  const auto [width, height, post, joint] =
+      barSizesOf(material, meanOfLateral(grid, grid.rest));
   if (2 * joint >= shortestRest(grid)) {
     throw InputError(fmt::format(
         "material.joint_radius must be less than half of the shortest strut, {:.3g}, got {:.3g}: "
@@ -67,8 +69,8 @@ std::vector<std::string> adviseOnBars(const StrutGrid& grid, const MaterialReque
   if (material.model != Model::frame) {
     return notices;
   }
-  const double width = widthOf(grid, material);
-  const double height = material.barHeight.value_or(width);
+  const auto [width, height, post, joint] =
+      barSizesOf(material, meanOfLateral(grid, grid.rest));
   const double layerSpacing = grid.shape.layers > 1 ? grid.rest.w.front() : 0;
   if (grid.shape.layers > 1 && height > layerSpacing) {
     notices.push_back(fmt::format(

@@ -24,9 +24,17 @@ struct MaterialRequest {
   std::optional<double> postWidth;    ///< Of square posts; as the width.
   std::optional<double> jointRadius;  ///< >= 0, of the rigid joint; a quarter of the width.
   double poisson = 0.3;               ///< >= 0 and < 0.5
+  /// Share of its printed length that every strut loses at the least; below 0 it may grow.
+  double leastShrinkage = 0;
 
   bool operator==(const MaterialRequest&) const = default;
 };
+
+/// As they are printed, where the mean rest length is `meanLength`.
+struct BarSizes {
+  double width, height, post, joint;
+};
+BarSizes barSizesOf(const MaterialRequest& material, double meanLength);
 
 /// Turns the struts of a stacked grid, at the positions where it is printed, into welded bars where
 /// the model asks for it. The modulus makes EA of lateral bars twice the mean stiffness of springs

@@ -114,13 +114,30 @@ Equilibrium readEquilibrium(const json& e) {
   Equilibrium stage;
   stage.iterations = integer<long>(e.at("iterations"));
   stage.converged = e.at("converged").get<bool>();
-  stage.reason = choose({residual, energy, iterationLimit, stagnated, interrupted, deviceFailure},
+  stage.reason = choose({residual, energy, iterationLimit, stagnated, interrupted, deviceFailure, laidOut},
                         e.at("reason"));
   stage.residual = numberOr(kNoNumber, e.at("residual"));
   stage.energy = numberOr(kNoNumber, e.at("energy"));
   stage.seconds = number(e.at("seconds"));
   stage.smallestEigenvalue = optionally(readEigenvalue, e.at("smallest_eigenvalue"));
   return stage;
+}
+
+SheetFigures readSheet(const json& s) {
+  return {.meanAngle = radians(number(s.at("mean_angle_error_degrees"))),
+          .largestAngle = radians(number(s.at("largest_angle_error_degrees"))),
+          .scaleRatio = number(s.at("scale_ratio")),
+          .lateralStruts = integer(s.at("lateral_struts")),
+          .strutsOutOfRange = integer(s.at("struts_out_of_range")),
+          .barsBeyondRange = integer(s.at("net_struts_beyond_range")),
+          .meanTwist = radians(number(s.at("mean_twist_degrees"))),
+          .largestTwist = radians(number(s.at("largest_twist_degrees"))),
+          .sizeX = number(s.at("size_x")),
+          .sizeY = number(s.at("size_y")),
+          .fittingLayerSpacing = numberOr(std::numeric_limits<double>::infinity(),
+                                          s.at("fitting_layer_spacing")),
+          .iterations = integer(s.at("iterations")),
+          .seconds = number(s.at("seconds"))};
 }
 
 InverseStep readStep(const json& s) {
@@ -183,7 +200,7 @@ TargetDistance readDistance(const json& d) {
 ShrinkCounts readShrinkCounts(const json& s) {
   return {number(s.at("largest_percent")), integer(s.at("struts_over_limit")),
           integer(s.at("struts_at_limit")), integer(s.at("struts_growing")),
-          number(s.at("largest_growth_percent"))};
+          number(s.at("largest_growth_percent")), s.value("struts_under_least", 0)};
 }
 
 ShrinkFigures readShrink(const json& s) {
@@ -225,6 +242,9 @@ RunRecord readRecord(const json& r) {
   record.net = optionally(readNet, r.at("net"));
   record.mesh = optionally(readMesh, r.at("mesh"));
   record.measurement = optionally(readMeasurement, r.at("measurement"));
+  if (const auto sheet = r.find("sheet"); sheet != r.end()) {  // Once there was none.
+    record.sheet = optionally(readSheet, *sheet);
+  }
   record.inPlane = optionally(readEquilibrium, r.at("in_plane"));
   record.printScale = number(r.at("print_scale"));
   record.full = optionally(readEquilibrium, r.at("full"));

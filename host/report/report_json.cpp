@@ -106,6 +106,22 @@ ordered_json toJson(const NetFigures& n) {
           {"largest_angle_deviation_degrees", degrees(n.quality.largestAngleDeviation)}};
 }
 
+ordered_json toJson(const SheetFigures& s) {
+  return {{"mean_angle_error_degrees", degrees(s.meanAngle)},
+          {"largest_angle_error_degrees", degrees(s.largestAngle)},
+          {"scale_ratio", s.scaleRatio},
+          {"lateral_struts", s.lateralStruts},
+          {"struts_out_of_range", s.strutsOutOfRange},
+          {"net_struts_beyond_range", s.barsBeyondRange},
+          {"mean_twist_degrees", degrees(s.meanTwist)},
+          {"largest_twist_degrees", degrees(s.largestTwist)},
+          {"size_x", s.sizeX},
+          {"size_y", s.sizeY},
+          {"fitting_layer_spacing", number(s.fittingLayerSpacing)},
+          {"iterations", s.iterations},
+          {"seconds", s.seconds}};
+}
+
 ordered_json toJson(const GridFigures& g) {
   return {{"nodes_u", g.shape.verticesU - 1}, {"nodes_v", g.shape.verticesV - 1},
           {"layers", g.shape.layers},         {"spacing", g.spacing},
@@ -142,7 +158,8 @@ ordered_json toJson(const ShrinkCounts& s) {
           {"struts_over_limit", s.strutsOverLimit},
           {"struts_at_limit", s.strutsAtLimit},
           {"struts_growing", s.strutsGrowing},
-          {"largest_growth_percent", s.largestGrowthPercent}};
+          {"largest_growth_percent", s.largestGrowthPercent},
+          {"struts_under_least", s.strutsUnderLeast}};
 }
 
 ordered_json toJson(const ShrinkFigures& s) {
@@ -194,6 +211,7 @@ std::string toJson(const RunRecord& record) {
       {"net", orNull(record.net)},
       {"mesh", orNull(record.mesh)},
       {"measurement", orNull(record.measurement)},
+      {"sheet", orNull(record.sheet)},
       {"in_plane", orNull(record.inPlane)},
       {"print_scale", record.printScale},
       {"full", orNull(record.full)},

@@ -71,6 +71,21 @@ void addNet(Table& table, const RunRecord& record) {
                         degrees(n.quality.largestAngleDeviation)));
 }
 
+void addSheet(Table& table, const RunRecord& record) {
+  if (!record.sheet) {
+    return;
+  }
+  const SheetFigures& s = *record.sheet;
+  table.row("sheet", fmt::format("{:.4g} x {:.4g}", s.sizeX, s.sizeY));
+  table.row("  angle off, mean / max", fmt::format("{:.2f} / {:.1f} deg", degrees(s.meanAngle),
+                                                  degrees(s.largestAngle)));
+  table.row("  twist, mean / max", fmt::format("{:.1f} / {:.1f} deg", degrees(s.meanTwist),
+                                              degrees(s.largestTwist)));
+  table.row("  scale varies by", fmt::format("{:.3g}", s.scaleRatio));
+  table.row("  struts out of range", fmt::format("{}", s.strutsOutOfRange));
+  table.row("  laid out in", fmt::format("{} it., {:.2f} s", s.iterations, s.seconds));
+}
+
 /// What other cutoffs would mean: advice for a design, so only where nothing is solved yet.
 void addCutoffs(Table& table, const RunRecord& record) {
   if (!record.measurement || record.inPlane) {
@@ -119,7 +134,7 @@ std::string counted(long iterations) {
 }
 
 void addStage(Table& table, const char* name, const std::optional<Equilibrium>& stage) {
-  if (!stage) {
+  if (!stage || stage->reason == StopReason::laidOut) {
     return;
   }
   table.line(fmt::format(
@@ -144,6 +159,7 @@ void addFeasibility(Table& table, const RunRecord& record) {
   if (record.shrink) {
     rowIfAny("struts at the limit", record.shrink->strutsAtLimit);
     rowIfAny("struts that must grow", record.shrink->strutsGrowing);
+    rowIfAny("struts under the least", record.shrink->strutsUnderLeast);
   }
   if (record.feasibility) {
     const Feasibility& f = *record.feasibility;
@@ -204,6 +220,7 @@ void addFigures(Table& table, const RunRecord& record) {
   table.row("largest L_b shrink", fmt::format("{:.1f} %", g.bendShrinkPercent),
             ifAll("{:.1f} %", paper.bendShrinkPercent));
   addNet(table, record);
+  addSheet(table, record);
   addCutoffs(table, record);
   addResults(table, record, paper);
 }

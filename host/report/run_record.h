@@ -7,6 +7,7 @@
 #include "design/grid_design.h"
 #include "grid/strut_grid.h"
 #include "inverse/inverse_design.h"
+#include "layout/sheet_figures.h"
 #include "report/feasibility.h"
 #include "report/figures.h"
 #include "report/shrink_figures.h"
@@ -65,6 +66,7 @@ struct RunRecord {
   std::optional<MeasurementFigures> measurement;  ///< Not for grids given by bend angles.
   std::optional<NetFigures> net;                  ///< Not for grids given by bend angles.
   std::optional<MeshFigures> mesh;                ///< Only for meshes.
+  std::optional<SheetFigures> sheet;              ///< Only of Layout::conformal.
   std::optional<Equilibrium> inPlane;
   /// How much the sheet that the in-plane stage left is enlarged, see choosePrintScale().
   double printScale = 1;

@@ -2,7 +2,7 @@
 #include <string>
 #include <vector>
 
-#include "grid/strut_grid.h"
+#include "grid/shrink.h"
 
 namespace morphgrid {
 
@@ -13,6 +13,7 @@ struct ShrinkCounts {
   int strutsAtLimit = 0;    ///< Struts that shrink by as much as it can: there the limit binds.
   int strutsGrowing = 0;    ///< Struts that would have to grow, which no shrinking material does.
   double largestGrowthPercent = 0;
+  int strutsUnderLeast = 0;  ///< Struts that shrink by less than the material does.
 };
 
 /// Counts for the whole grid, and for each layer from the bottom up.
@@ -20,11 +21,11 @@ struct ShrinkFigures : ShrinkCounts {
   std::vector<ShrinkCounts> layers;
 };
 
-/// maxShrinkage: share of its printed length that a strut can lose. Struts count as over it, at it
-/// or growing beyond a millionth of the printed length.
-ShrinkFigures computeShrink(const StrutGrid& stacked, double maxShrinkage);
+/// Struts count as over the material's most, at it, under its least or growing beyond a millionth
+/// of the printed length.
+ShrinkFigures computeShrink(const StrutGrid& stacked, const ShrinkRange& range);
 
 /// What the material cannot do and what to do about it, a sentence each; none where it can.
-std::vector<std::string> adviseOn(const ShrinkFigures& shrink, double maxShrinkage);
+std::vector<std::string> adviseOn(const ShrinkFigures& shrink, const ShrinkRange& range);
 
 }  // namespace morphgrid

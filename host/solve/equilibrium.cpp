@@ -16,6 +16,8 @@ std::string toString(StopReason reason) {
       return "interrupted";
     case StopReason::deviceFailure:
       return "device failure";
+    case StopReason::laidOut:
+      return "laid out";
   }
   return "unknown";
 }

@@ -21,10 +21,11 @@ enum class StopReason {
   stagnated,       ///< The residual no longer falls at the precision of the positions.
   interrupted,     ///< The user asked to stop.
   deviceFailure,   ///< The device failed; the positions are the last that are known.
+  laidOut,         ///< A flat sheet that no solver left, see layConformally().
 };
 
 /// "residual", "energy", "iteration limit", "stagnated", "interrupted", "device
-/// failure".
+/// failure", "laid out".
 std::string toString(StopReason reason);
 
 struct ConvergenceSample {
