@@ -19,7 +19,7 @@ constexpr ArrayFormat kCheckpointFormat{
 
 // Settings are texts whose names begin like this.
 constexpr std::string_view kSetting = "setting ";
-constexpr std::size_t kStepNumbers = 9;
+constexpr std::size_t kStepNumbers = 10;
 constexpr int kLargestPhase = 1 << 20;
 constexpr int kLargestCount = 1 << 30;
 
@@ -42,8 +42,25 @@ Eigen::Matrix3Xd readPositions(const ArrayReader& reader, const std::string& nam
   return reader.points(name, {reader.rowCount(name, 3), 3});
 }
 
+/// None where joints do not turn.
+void addRotations(ArrayList& arrays, const std::string& name, const JointRotations& rotations) {
+  if (rotations.cols() > 0) {
+    arrays.add(name, {static_cast<std::size_t>(rotations.cols()), 4}, rotations);
+  }
+}
+
+JointRotations readRotations(const ArrayReader& reader, const std::string& name) {
+  if (!reader.has(name)) {
+    return JointRotations(4, 0);
+  }
+  const std::size_t count = reader.rowCount(name, 4);
+  const std::vector<double> values = reader.numbers(name, {count, 4});
+  return Eigen::Map<const JointRotations>(values.data(), 4, static_cast<Eigen::Index>(count));
+}
+
 void add(ArrayList& arrays, const std::string& name, const Equilibrium& equilibrium) {
   addPositions(arrays, name + "_positions", equilibrium.positions);
+  addRotations(arrays, name + "_rotations", equilibrium.rotations);
   arrays.addMade(name + "_summary", {6},
                  {static_cast<double>(equilibrium.iterations), equilibrium.converged ? 1.0 : 0.0,
                   static_cast<double>(equilibrium.reason), equilibrium.residual, equilibrium.energy,
@@ -55,6 +72,7 @@ Equilibrium readEquilibrium(const ArrayReader& reader, const std::string& name) 
   const std::vector<double> summary = reader.bare(name + "_summary", {6});
   Equilibrium equilibrium;
   equilibrium.positions = readPositions(reader, name + "_positions");
+  equilibrium.rotations = readRotations(reader, name + "_rotations");
   equilibrium.iterations = reader.integer(summary[0], 0, kLargestExactInteger);
   equilibrium.converged = reader.integer(summary[1], 0, 1) == 1;
   equilibrium.reason = static_cast<StopReason>(
@@ -68,6 +86,7 @@ Equilibrium readEquilibrium(const ArrayReader& reader, const std::string& name) 
 
 void add(ArrayList& arrays, const SolveCheckpoint& solve) {
   addPositions(arrays, "solve_positions", solve.positions);
+  addRotations(arrays, "solve_rotations", solve.rotations);
   arrays.addMade("solve_summary", {3},
                  {static_cast<double>(solve.phase), solve.iterations, solve.seconds});
   addHistory(arrays, "solve_history", solve.history);
@@ -77,7 +96,7 @@ SolveCheckpoint readSolve(const ArrayReader& reader) {
   const std::vector<double> summary = reader.numbers("solve_summary", {3});
   return {static_cast<int>(reader.integer(summary[0], 0, kLargestPhase)),
           readPositions(reader, "solve_positions"),
-          JointRotations(),
+          readRotations(reader, "solve_rotations"),
           summary[1],
           summary[2],
           readHistory(reader, "solve_history")};
@@ -86,11 +105,11 @@ SolveCheckpoint readSolve(const ArrayReader& reader) {
 void addSteps(ArrayList& arrays, const std::vector<InverseStep>& steps) {
   std::vector<double> values;
   for (const InverseStep& step : steps) {
-    values.insert(values.end(),
-                  {static_cast<double>(step.kind), static_cast<double>(step.number),
-                   step.rmsPercent, step.maxPercent, step.largestShrinkPercent,
-                   static_cast<double>(step.strutsAtBound), static_cast<double>(step.cycles),
-                   static_cast<double>(step.adjointProducts), step.seconds});
+    values.insert(values.end(), {static_cast<double>(step.kind), static_cast<double>(step.number),
+                                 step.rmsPercent, step.maxPercent, step.largestShrinkPercent,
+                                 step.largestStrainPercent, static_cast<double>(step.strutsAtBound),
+                                 static_cast<double>(step.cycles),
+                                 static_cast<double>(step.adjointProducts), step.seconds});
   }
   arrays.addMade("inverse_steps", {steps.size(), kStepNumbers}, std::move(values));
 }
@@ -103,8 +122,8 @@ std::vector<InverseStep> readSteps(const ArrayReader& reader) {
     const auto kind = static_cast<InverseStep::Kind>(
         reader.integer(at[0], 0, static_cast<double>(InverseStep::Kind::optimise)));
     const auto countAt = [&](int n) { return reader.integer(at[n], 0, kLargestCount); };
-    steps.push_back({kind, static_cast<int>(countAt(1)), at[2], at[3], at[4], countAt(5),
-                     countAt(6), static_cast<int>(countAt(7)), at[8]});
+    steps.push_back({kind, static_cast<int>(countAt(1)), at[2], at[3], at[4], at[5], countAt(6),
+                     countAt(7), static_cast<int>(countAt(8)), at[9]});
   }
   return steps;
 }
@@ -118,6 +137,7 @@ void add(ArrayList& arrays, const InverseCheckpoint& inverse) {
   add(arrays, "present", inverse.present.equilibrium);
   addVector(arrays, "kept_rest", inverse.kept.rest);
   add(arrays, "kept", inverse.kept.equilibrium);
+  if (inverse.aim.cols() > 0) addPositions(arrays, "inverse_aim", inverse.aim);
   addSteps(arrays, inverse.steps);
   arrays.add("inverse_objectives", {inverse.objectives.size()},
              std::span<const double>(inverse.objectives));
@@ -142,6 +162,7 @@ InverseCheckpoint readInverse(const ArrayReader& reader) {
     inverse.pairs.push_back(
         {readVector(reader, pairName(n) + "_step"), readVector(reader, pairName(n) + "_change")});
   }
+  if (reader.has("inverse_aim")) inverse.aim = readPositions(reader, "inverse_aim");
   return inverse;
 }
 

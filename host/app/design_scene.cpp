@@ -90,25 +90,27 @@ SceneDesign designFor(const Scene& scene, const std::shared_ptr<const Target>& t
   const double barHeight = scene.material.model == Model::frame
                                ? barSizesOf(scene.material, meanOf(measurement.chords)).height
                                : 0;
+  const LayerStack stack{request.layers, size.layerSpacing, barHeight};
   GridDesign design = request.reference == Reference::convex
                           ? designGrid(measurement, size, request.layers)
-                          : designOnOffsets(measurement, normals, size, request.layers, barHeight);
+                          : designOnOffsets(measurement, normals, stack);
   std::optional<LaidSheet> sheet;
   if (request.layout == Layout::conformal) {
     sheet = layOut(measurement, normals, design, shrinkRangeOf(scene), cancellation);
   }
-  SceneDesign designed{
-      target,
-      std::move(design),
-      MeasurementFigures{survey.longestIsolineU, survey.longestIsolineV, survey.largestCurvature(),
-                         size.layerSpacingLimit, size.fewestNodes,
-                         listCutoffConsequences(survey, request), suggestCutoff(survey, request),
-                         target->curvatureNoise()},
-      chosen.figures,
-      std::move(measurement.points),
-      std::move(sheet),
-      sampler->meshFigures(),
-      size.notices};
+  SceneDesign designed{target,
+                       std::move(design),
+                       MeasurementFigures{survey.longestIsolineU, survey.longestIsolineV,
+                                          survey.largestCurvature(), size.layerSpacingLimit,
+                                          size.fewestNodes, listCutoffConsequences(survey, request),
+                                          suggestCutoff(survey, request), target->curvatureNoise()},
+                       chosen.figures,
+                       std::move(measurement.points),
+                       std::move(normals),
+                       stack,
+                       std::move(sheet),
+                       sampler->meshFigures(),
+                       size.notices};
   if (designed.sheet) {
     const auto advice = adviseOn(designed.sheet->figures, shrinkRangeOf(scene));
     designed.notices.insert(designed.notices.end(), advice.begin(), advice.end());

@@ -18,7 +18,9 @@ struct SceneDesign {
   std::optional<NetFigures> net;                  ///< None without a target.
   /// 3 x layerVertexCount: where the middle layer's vertices should lie.
   std::optional<Eigen::Matrix3Xd> targets;
-  std::optional<LaidSheet> sheet;  ///< Only of Layout::conformal.
+  Eigen::Matrix3Xd normals;  ///< Of the target there; only of Reference::middle.
+  LayerStack stack{};
+  std::optional<LaidSheet> sheet;    ///< Only of Layout::conformal.
   std::optional<MeshFigures> mesh;   ///< Only of meshes.
   std::vector<std::string> notices;  ///< What was clamped or overridden.
   View ownView = kPatchView;         ///< Where there is no target to say it.

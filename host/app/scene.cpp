@@ -138,7 +138,16 @@ void requireWhatInverseDesignNeeds(const Scene& scene) {
   }
 }
 
-/// A frame is simulated; it is not designed yet, nor judged by its smallest eigenvalue.
+void requireShrinkRange(const Scene& scene) {
+  const auto [least, most] = shrinkRangeOf(scene);
+  if (least >= most) {
+    throw InputError(fmt::format(
+        "{}: material.least_shrinkage must be less than grid.max_shrinkage = {:g}, got {:g}",
+        scene.file.string(), most, least));
+  }
+}
+
+/// A frame is not judged by its smallest eigenvalue yet.
 void requireWhatFramesNeed(const Scene& scene) {
   if (scene.material.model != Model::frame) {
     return;
@@ -152,9 +161,6 @@ void requireWhatFramesNeed(const Scene& scene) {
   require(design.layers > 1, "needs grid.layers >= 2, got 1");
   require(scene.method != Method::jacobi,
           "needs solver.method = \"multigrid\" or \"reference\", got \"jacobi\"");
-  require(design.compensateRounds + design.optimiseSteps == 0 && !design.enforceShrinkage,
-          "goes with neither design.compensate, design.optimise nor design.enforce_shrinkage: they "
-          "design in the springs of material.model = \"paper\"");
   require(
       !scene.smallestEigenvalue,
       "has no solver.smallest_eigenvalue yet: leave it out, or take material.model = \"paper\"");
@@ -165,6 +171,7 @@ Scene readChecked(const std::filesystem::path& file, const std::string& name,
   Scene scene = SceneReader(file, name, std::move(document)).read();
   requireWhatInverseDesignNeeds(scene);
   requireWhatFramesNeed(scene);
+  requireShrinkRange(scene);
   return scene;
 }
 

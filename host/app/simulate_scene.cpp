@@ -44,6 +44,9 @@ void assessPrintability(const Stage& stage, const Scene& scene, RunRecord& recor
   if (record.full) {
     record.shrink = computeShrink(stage.grid, shrinkRangeOf(scene));
     tell(adviseOn(*record.shrink, shrinkRangeOf(scene)));
+    const std::optional<double>& limit = scene.design.maxStrain;
+    record.strain = computeStrain(stage.grid, stage.equilibrium.positions, limit);
+    if (limit) tell(adviseOn(*record.strain, *limit));
   }
   record.feasibility = examineFeasibility(stage.grid.shape, stage.equilibrium.positions,
                                           scene.design.strutThickness);
@@ -64,7 +67,8 @@ Simulation simulateScene(const Scene& scene, const SceneDesign& designed, RunCon
   }
 
   Stages stages(scene, context, keeper, quiet);
-  Stage stage = stages.runInPlane(designed.design, designed.sheet ? &designed.sheet->sheet : nullptr);
+  Stage stage =
+      stages.runInPlane(designed.design, designed.sheet ? &designed.sheet->sheet : nullptr);
   record.inPlane = stage.equilibrium;
   if (record.inPlane->reason == StopReason::interrupted && record.inPlane->iterations == 0) {
     throw Cancelled();
@@ -74,7 +78,7 @@ Simulation simulateScene(const Scene& scene, const SceneDesign& designed, RunCon
     stage = stages.runFull(designed.design, record.inPlane->positions);
     record.printScale = stage.printScale;
     if (designed.targets) {
-      record.inverse = stages.improve(stage, *designed.targets);
+      record.inverse = stages.improve(stage, designed);
       noteOtherWay(record);
     }
     stage.solver.reset();  // Its memory is for pictures now.

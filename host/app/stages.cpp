@@ -26,6 +26,16 @@ Equilibrium laidOut(const Sheet& sheet) {
   return result;
 }
 
+/// Those of each layer, bottom first, in the order of LateralRest.
+Eigen::VectorXd lateralRestOf(const GridShape& shape,
+                              const std::vector<LateralField<double>>& layers) {
+  Eigen::VectorXd rest(shape.lateralStrutCount());
+  Eigen::Index n = 0;
+  forEachLateralStrut(shape,
+                      [&](const Strut& strut) { rest[n++] = layers[strut.layer].at(strut); });
+  return rest;
+}
+
 }  // namespace
 
 Stage Stages::prepare(StrutGrid grid) {
@@ -123,7 +133,7 @@ void Stages::assessStability(Stage& stage, Motions motions) {
   }
 }
 
-std::optional<InverseDesign> Stages::improve(Stage& stage, const Eigen::Matrix3Xd& targets) {
+std::optional<InverseDesign> Stages::improve(Stage& stage, const SceneDesign& designed) {
   const DesignRequest& request = scene_.design;
   const int stepCount = request.compensateRounds + request.optimiseSteps;
   if ((stepCount == 0 && !request.enforceShrinkage) || scene_.solve.stopRequested() ||
@@ -135,7 +145,17 @@ std::optional<InverseDesign> Stages::improve(Stage& stage, const Eigen::Matrix3X
                          .optimiseSteps = request.optimiseSteps,
                          .solve = scene_.solve};
   if (request.enforceShrinkage) {
-    options.shrinkLimit = request.maxShrinkage;
+    options.shrinkRange = shrinkRangeOf(scene_);
+  }
+  options.maxStrain = request.maxStrain;
+  if (request.layout == Layout::conformal && request.reference == Reference::middle) {
+    options.lengthsFor = [&](const Eigen::Matrix3Xd& points) {
+      const GridShape layer = stage.grid.shape.layer();
+      const Eigen::Matrix3Xd normals =
+          carryNormals(layer, *designed.targets, designed.normals, points);
+      return lateralRestOf(stage.grid.shape,
+                           lengthsOnOffsets(layer, points, normals, designed.stack));
+    };
   }
   int done = -1;  // The design itself is no step.
   options.onStep = [&](const InverseStep& step) {
@@ -152,7 +172,7 @@ std::optional<InverseDesign> Stages::improve(Stage& stage, const Eigen::Matrix3X
   options.onCheckpoint = [&](InverseCheckpoint checkpoint) { keeper_.keep(std::move(checkpoint)); };
   options.resumeFrom = keeper_.inverse();
   keeper_.beginInverseDesign(stage.equilibrium);
-  InverseDesigner designer(*stage.solver, targets, options);
+  InverseDesigner designer(*stage.solver, *designed.targets, options);
   std::optional<InverseDesign> result;
   context_.attempt([&] { result = designer.run(stage.equilibrium); });
   keeper_.endInverseDesign(!result || scene_.solve.stopRequested());

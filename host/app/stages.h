@@ -29,10 +29,10 @@ class Stages {
   /// The printed layer, enlarged when every strut has to shrink within the material's bound and it
   /// was not laid out for that, and stacked, morphs in space.
   Stage runFull(const GridDesign& design, const Eigen::Matrix3Xd& printedLayer);
-  /// Other rest lengths, which bring the full stage closer to its targets (3 x layerVertexCount),
+  /// Other rest lengths, which bring the full stage closer to its targets (SceneDesign::targets),
   /// as the scene asks for; nothing when it does not or the device fails before the first. Then the
   /// stage stays.
-  std::optional<InverseDesign> improve(Stage& stage, const Eigen::Matrix3Xd& targets);
+  std::optional<InverseDesign> improve(Stage& stage, const SceneDesign& designed);
 
  private:
   Stage prepare(StrutGrid grid);

@@ -16,6 +16,8 @@ const Kinds kBent{2};
 const Kinds kMeasured{0, 1};
 
 constexpr IntegerRange kRounds{0, 10000};
+// Beyond it a printed strut keeps less of its shape.
+constexpr double kMaxStrain = 0.03;
 
 template <typename Value>
 KeyPlace<Scene, Value> ofPatch(Value PatchRequest::*value) {
@@ -210,8 +212,8 @@ SceneKeySection designKeys() {
            .kinds = kMeasured,
            .otherwise =
                [](Scene& scene) {
-                 const bool isPapers = scene.design.net == NetKind::isoline &&
-                                       scene.design.layout == Layout::inPlane;
+                 const bool isPapers =
+                     scene.design.net == NetKind::isoline && scene.design.layout == Layout::inPlane;
                  scene.design.reference = isPapers ? Reference::convex : Reference::middle;
                },
            .defaultInWords = "`\"convex\"` for `\"isoline\"` and `\"in_plane\"`, else `\"middle\"`",
@@ -230,20 +232,35 @@ SceneKeySection designKeys() {
            .value = integerKey(ofDesign(&DesignRequest::compensateRounds), kRounds),
            .kinds = kMeasured,
            .knob = KnobOffer{"compensation rounds"},
-           .meaning = "Rounds of spring-back correction: rest lengths are multiplied by designed / "
-                      "simulated length and the grid solved again."},
+           .meaning = "Rounds of spring-back correction. On a conformal sheet lengths are designed "
+                      "anew for "
+                      "points that lie beyond the target by as much as the grid fell short of it; "
+                      "else they are multiplied by designed / simulated length. A round that comes "
+                      "no closer is taken back."},
           {.name = "optimise",
            .value = integerKey(ofDesign(&DesignRequest::optimiseSteps), kRounds),
            .kinds = kMeasured,
            .meaning = "Steps of adjoint optimisation of the lateral rest lengths, after the "
                       "correction. Both only for `solver.method = \"multigrid\"`."},
+          {.name = "max_strain",
+           .value = numberKey(ofDesign(&DesignRequest::maxStrain), between(0, 1)),
+           .unit = "share",
+           .kinds = kMeasured,
+           .otherwise =
+               [](Scene& scene) {
+                 if (scene.material.model == Model::frame) scene.design.maxStrain = kMaxStrain;
+               },
+           .defaultInWords = "0.03 for frames, else no bound",
+           .meaning = "By how much a lateral strut's length may differ from its rest length in the "
+                      "end. Both of the above count what is beyond it as they count distance."},
           {.name = "enforce_shrinkage",
            .value = booleanKey(ofDesign(&DesignRequest::enforceShrinkage)),
            .kinds = kMeasured,
-           .meaning = "Whether every strut stays between its printed length and what "
-                      "`grid.max_shrinkage` leaves of it, on a sheet that is printed as large as "
-                      "that takes; otherwise the two above stay within 30 % of the designed "
-                      "length."},
+           .meaning =
+               "Whether every strut shrinks by no less than `material.least_shrinkage` and no "
+               "more than `grid.max_shrinkage`, on a sheet that is printed as large as "
+               "that takes, or laid out for it; otherwise the two above stay within 30 % "
+               "of the designed length."},
       }};
 }
 

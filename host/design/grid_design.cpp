@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -55,66 +56,58 @@ void setRestOfConvexSides(GridDesign& design) {
   }
 }
 
-/// The surfaces at constant distances from the target, along its normals.
-class OffsetSurfaces {
- public:
-  OffsetSurfaces(const SurfaceMeasurement& measurement, const Eigen::Matrix3Xd& normals)
-      : measurement_(measurement), normals_(normals) {}
-
-  LateralField<double> chords(double height) const {
-    LateralField<double> chords(measurement_.nodesU, measurement_.nodesV);
-    forEachLateralStrut(chords.shape(), [&](const Strut& strut) {
-      chords.at(strut) =
-          (along(measurement_.points, strut) + height * along(normals_, strut)).norm();
-    });
-    return chords;
-  }
-
-  /// Throws InputError when a strut would run backwards, or have no length, at `outermost` above or
-  /// below: that is beyond the surface's centre of curvature.
-  void requireStruts(double outermost, double layerSpacing) const {
-    double smallest = std::numeric_limits<double>::infinity();
-    Strut tightest{};
-    forEachLateralStrut(measurement_.chords.shape(), [&](const Strut& strut) {
-      const Eigen::Vector3d chord = along(measurement_.points, strut);
-      const double radius = chord.squaredNorm() / std::abs(chord.dot(along(normals_, strut)));
-      if (radius < smallest) {
-        smallest = radius;
-        tightest = strut;
-      }
-    });
-    if (outermost < smallest) return;
-    const Eigen::Vector3d point = measurement_.points.col(tightest.from);
-    throw InputError(fmt::format(
-        "{}, at ({:.4g}, {:.4g}, {:.4g}), has no length left in the "
-        "outermost layer: the surface's radius there is {:.4g}; grid.layer_spacing must be below "
-        "{:.4g}, got {:.4g}",
-        describe(measurement_.chords.shape(), tightest), point.x(), point.y(), point.z(), smallest,
-        layerSpacing * smallest / outermost, layerSpacing));
-  }
-
- private:
-  static Eigen::Vector3d along(const Eigen::Matrix3Xd& values, const Strut& strut) {
-    return values.col(strut.to) - values.col(strut.from);
-  }
-
-  const SurfaceMeasurement& measurement_;
-  const Eigen::Matrix3Xd& normals_;
-};
-
-/// How much more lengths must differ between layers where bars resist being bent by themselves.
-double bendingGain(int layers, double layerSpacing, double barHeight) {
-  double squares = 0;
-  for (int k = 0; k < layers; ++k) {
-    squares += std::pow((k - (layers - 1) / 2.0) * layerSpacing, 2);
-  }
-  return layers > 1 ? 1 + layers * barHeight * barHeight / (12 * squares) : 1;
+Eigen::Vector3d along(const Eigen::Matrix3Xd& values, const Strut& strut) {
+  return values.col(strut.to) - values.col(strut.from);
 }
 
-void bendMore(LateralField<double>& rest, const LateralField<double>& middle, double gain) {
-  forEachLateralStrut(rest.shape(), [&](const Strut& strut) {
-    rest.at(strut) = middle.at(strut) + gain * (rest.at(strut) - middle.at(strut));
+/// How much more lengths must differ between layers where bars resist being bent by themselves.
+double bendingGain(const LayerStack& stack) {
+  double squares = 0;
+  for (int k = 0; k < stack.layers; ++k) {
+    squares += stack.height(k) * stack.height(k);
+  }
+  return stack.layers > 1 ? 1 + stack.layers * stack.barHeight * stack.barHeight / (12 * squares)
+                          : 1;
+}
+
+/// Throws InputError when a strut would run backwards, or have no length, in an outermost layer:
+/// that is beyond the surface's centre of curvature.
+void requireStruts(const SurfaceMeasurement& measurement, const Eigen::Matrix3Xd& normals,
+                   const LayerStack& stack) {
+  const double outermost = bendingGain(stack) * stack.height(stack.layers - 1);
+  double smallest = std::numeric_limits<double>::infinity();
+  Strut tightest{};
+  forEachLateralStrut(measurement.chords.shape(), [&](const Strut& strut) {
+    const Eigen::Vector3d chord = along(measurement.points, strut);
+    const double radius = chord.squaredNorm() / std::abs(chord.dot(along(normals, strut)));
+    if (radius < smallest) {
+      smallest = radius;
+      tightest = strut;
+    }
   });
+  if (outermost < smallest) return;
+  const Eigen::Vector3d point = measurement.points.col(tightest.from);
+  throw InputError(fmt::format(
+      "{}, at ({:.4g}, {:.4g}, {:.4g}), has no length left in the "
+      "outermost layer: the surface's radius there is {:.4g}; grid.layer_spacing must be below "
+      "{:.4g}, got {:.4g}",
+      describe(measurement.chords.shape(), tightest), point.x(), point.y(), point.z(), smallest,
+      stack.spacing * smallest / outermost, stack.spacing));
+}
+
+/// Central differences, one-sided at the edges.
+Eigen::Matrix3Xd differenceNormals(const GridShape& layer, const Eigen::Matrix3Xd& points) {
+  Eigen::Matrix3Xd normals(3, points.cols());
+  forEachVertex(layer, [&](const GridPlace& place) {
+    const auto point = [&](int i, int j) {
+      return points.col(
+          layer.index(std::clamp(i, 0, layer.cellsU()), std::clamp(j, 0, layer.cellsV()), 0));
+    };
+    const Eigen::Vector3d u = point(place.i + 1, place.j) - point(place.i - 1, place.j);
+    const Eigen::Vector3d v = point(place.i, place.j + 1) - point(place.i, place.j - 1);
+    normals.col(layer.index(place)) = u.cross(v).normalized();
+  });
+  return normals;
 }
 
 }  // namespace
@@ -147,30 +140,63 @@ GridDesign designGrid(const SurfaceMeasurement& measurement, const GridSize& siz
   return design;
 }
 
+std::vector<LateralField<double>> lengthsOnOffsets(const GridShape& layer,
+                                                   const Eigen::Matrix3Xd& points,
+                                                   const Eigen::Matrix3Xd& normals,
+                                                   const LayerStack& stack) {
+  const double gain = bendingGain(stack);
+  std::vector<LateralField<double>> rest;
+  for (int k = 0; k < stack.layers; ++k) {
+    rest.emplace_back(layer.cellsU(), layer.cellsV());
+    forEachLateralStrut(layer, [&](const Strut& strut) {
+      const Eigen::Vector3d chord = along(points, strut);
+      const double middle = chord.norm();
+      const double offset = (chord + stack.height(k) * along(normals, strut)).norm();
+      rest.back().at(strut) = middle + gain * (offset - middle);
+    });
+  }
+  return rest;
+}
+
 GridDesign designOnOffsets(const SurfaceMeasurement& measurement, const Eigen::Matrix3Xd& normals,
-                           const GridSize& size, int layers, double barHeight) {
+                           const LayerStack& stack) {
   const int nodesU = measurement.nodesU;
   const int nodesV = measurement.nodesV;
   const LateralField<double> zero(nodesU, nodesV);
-  GridDesign design{nodesU, nodesV, layers, size.layerSpacing, 0, zero, zero, {}, {}};
-  const OffsetSurfaces surfaces(measurement, normals);
-  const double outermost = (layers - 1) / 2.0 * size.layerSpacing;
   requireLengths(measurement.chords, largest(measurement.chords));
-  const double gain = bendingGain(layers, size.layerSpacing, barHeight);
-  surfaces.requireStruts(gain * outermost, size.layerSpacing);
-  for (int k = 0; k < layers; ++k) {
-    design.rest.push_back(surfaces.chords(k * size.layerSpacing - outermost));
-    bendMore(design.rest.back(), measurement.chords, gain);
-  }
+  requireStruts(measurement, normals, stack);
+  GridDesign design{
+      nodesU,
+      nodesV,
+      stack.layers,
+      stack.spacing,
+      0,
+      zero,
+      zero,
+      lengthsOnOffsets(measurement.chords.shape(), measurement.points, normals, stack),
+      {}};
+  const double between = stack.height(stack.layers - 1) - stack.height(0);
   forEachLateralStrut(design.lengths.shape(), [&](const Strut& strut) {
     const double bottom = design.rest.front().at(strut);
     const double top = design.rest.back().at(strut);
     design.lengths.at(strut) = std::max(bottom, top);
     design.bendAngles.at(strut) =
-        layers > 1 ? 2 * std::asin(std::clamp((bottom - top) / (4 * outermost), -1.0, 1.0)) : 0;
+        stack.layers > 1 ? 2 * std::asin(std::clamp((bottom - top) / (2 * between), -1.0, 1.0)) : 0;
   });
   design.spacing = largest(design.lengths);
   return design;
+}
+
+Eigen::Matrix3Xd carryNormals(const GridShape& layer, const Eigen::Matrix3Xd& before,
+                              const Eigen::Matrix3Xd& normals, const Eigen::Matrix3Xd& after) {
+  const Eigen::Matrix3Xd from = differenceNormals(layer, before);
+  const Eigen::Matrix3Xd to = differenceNormals(layer, after);
+  Eigen::Matrix3Xd carried(3, normals.cols());
+  for (Eigen::Index n = 0; n < normals.cols(); ++n) {
+    const auto turn = Eigen::Quaterniond::FromTwoVectors(from.col(n), to.col(n));
+    carried.col(n) = turn * Eigen::Vector3d(normals.col(n));
+  }
+  return carried;
 }
 
 GridDesign designFromBendAngles(const BendAngleRequest& request, int layers, double layerSpacing) {

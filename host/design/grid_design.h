@@ -25,16 +25,35 @@ struct GridDesign {
 /// theta = 2 asin(L0 kappa / 2) (Eq. 24); the sine is clamped to 1, with a notice.
 GridDesign designGrid(const SurfaceMeasurement& measurement, const GridSize& size, int layers);
 
-/// With the target in the middle of the layers: in layer k, at height h = (k - (layers - 1) / 2)
-/// tau along the normals, struts rest at the chords between p + h N at their ends. L0 is the
-/// longest of them, theta follows from the difference between the bottom and the top layer.
-/// normals: 3 x (nodesU+1)(nodesV+1), unit, of the target at measurement.points; theta > 0 where
-/// the target curves towards them. barHeight, >= 0: bars as high as that resist being bent, so that
-/// lengths differ by `1 + layers barHeight^2 / (12 sum h^2)` times as much between layers. Throws
-/// InputError, with a tau that is too large, where a strut would have no length left.
-GridDesign designOnOffsets(const SurfaceMeasurement& measurement, const Eigen::Matrix3Xd& normals,
-                           const GridSize& size, int layers, double barHeight = 0);
+/// Layers at equal distances from their neighbours, around the middle.
+struct LayerStack {
+  int layers;
+  double spacing;        ///< tau
+  double barHeight = 0;  ///< Of bars that resist being bent, >= 0
 
+  double height(int layer) const { return (layer - (layers - 1) / 2.0) * spacing; }
+};
+
+/// Rest lengths of each layer, bottom first, with the target in the middle: in layer k, at height h
+/// along the normals, struts rest at the chords between p + h N at their ends. Against bars' own
+/// resistance they differ from the middle's by `1 + layers barHeight^2 / (12 sum h^2)` times as
+/// much. points, normals: 3 x layerVertexCount of the layer's shape.
+std::vector<LateralField<double>> lengthsOnOffsets(const GridShape& layer,
+                                                   const Eigen::Matrix3Xd& points,
+                                                   const Eigen::Matrix3Xd& normals,
+                                                   const LayerStack& stack);
+
+/// The design of those lengths. L0 is the longest of a strut's, theta follows from the difference
+/// between the bottom and the top layer. normals: unit, of the target at measurement.points; theta
+/// > 0 where the target curves towards them. Throws InputError, with a tau that is too large, where
+/// a strut would have no length left.
+GridDesign designOnOffsets(const SurfaceMeasurement& measurement, const Eigen::Matrix3Xd& normals,
+                           const LayerStack& stack);
+
+/// Normals of a net whose points have moved: those of before, turned at each vertex as the net's
+/// normals by central differences have. All 3 x layerVertexCount.
+Eigen::Matrix3Xd carryNormals(const GridShape& layer, const Eigen::Matrix3Xd& before,
+                              const Eigen::Matrix3Xd& normals, const Eigen::Matrix3Xd& after);
 
 /// Straight from bend angles, for surfaces that are given by how they bend (Fig. 1(c)).
 /// theta runs linearly from the first to the last strut of each row.

@@ -19,7 +19,7 @@ inline constexpr std::array kReferenceWords = {"convex", "middle"};
 
 /// How the net is laid out on the flat sheet that is printed.
 enum class Layout {
-  inPlane,    ///< Square cells morph in their plane to the lengths of the convex sides: the paper's.
+  inPlane,  ///< Square cells morph in their plane to the lengths of the convex sides: the paper's.
   conformal,  ///< Joints keep the angles that they have on the target, see layConformally().
 };
 
@@ -43,6 +43,7 @@ struct DesignRequest {
   int compensateRounds = 0;              ///< Rounds of spring-back correction, >= 0
   int optimiseSteps = 0;                 ///< Steps along the adjoint gradient, >= 0
   bool enforceShrinkage = false;         ///< Whether both honour maxShrinkage.
+  std::optional<double> maxStrain;       ///< Of lateral struts at rest, > 0: both honour it.
   std::optional<double> strutThickness;  ///< As printed, in the scene's unit of length, > 0
 
   bool operator==(const DesignRequest&) const = default;

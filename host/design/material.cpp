@@ -43,8 +43,7 @@ void weld(StrutGrid& grid, const MaterialRequest& material) {
   if (material.model != Model::frame) {
     return;
   }
-  const auto [width, height, post, joint] =
-      barSizesOf(material, meanOfLateral(grid, grid.rest));
+  const auto [width, height, post, joint] = barSizesOf(material, meanOfLateral(grid, grid.rest));
   if (2 * joint >= shortestRest(grid)) {
     throw InputError(fmt::format(
         "material.joint_radius must be less than half of the shortest strut, {:.3g}, got {:.3g}: "
@@ -69,8 +68,7 @@ std::vector<std::string> adviseOnBars(const StrutGrid& grid, const MaterialReque
   if (material.model != Model::frame) {
     return notices;
   }
-  const auto [width, height, post, joint] =
-      barSizesOf(material, meanOfLateral(grid, grid.rest));
+  const auto [width, height, post, joint] = barSizesOf(material, meanOfLateral(grid, grid.rest));
   const double layerSpacing = grid.shape.layers > 1 ? grid.rest.w.front() : 0;
   if (grid.shape.layers > 1 && height > layerSpacing) {
     notices.push_back(fmt::format(

@@ -39,15 +39,18 @@ struct BeamTerm {
   double rest;              ///< Of the flexible part, > 0
   Eigen::Matrix3d printed;  ///< t, n, b as printed.
 
+  /// That of a strut of a grid which has bars.
+  static BeamTerm of(const StrutGrid& grid, const Strut& strut) {
+    const BarSection& bar = grid.bars->section(strut);
+    return {bar, valueAt(grid.rest, strut) - 2 * bar.joint,
+            axesOf(printedDirection(*grid.bars, strut), strut.isLateral())};
+  }
+
   /// visit(term, Edge) for all bars of a grid, which has some.
   template <typename Visit>
   static void forEach(const StrutGrid& grid, Visit visit) {
-    const Bars& bars = *grid.bars;
     forEachStrut(grid.shape, [&](const Strut& strut) {
-      const BarSection& ofStrut = bars.section(strut);
-      visit(BeamTerm{ofStrut, valueAt(grid.rest, strut) - 2 * ofStrut.joint,
-                     axesOf(printedDirection(bars, strut), strut.isLateral())},
-            Edge{strut.from, strut.to});
+      visit(of(grid, strut), Edge{strut.from, strut.to});
     });
   }
 

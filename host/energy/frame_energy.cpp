@@ -3,8 +3,6 @@
 #include <Eigen/Eigenvalues>
 #include <vector>
 
-#include "energy/beam_term.h"
-
 namespace morphgrid {
 namespace {
 
@@ -12,28 +10,7 @@ using Eigen::Matrix3Xd;
 using Matrix9d = Eigen::Matrix<double, 9, 9>;
 using Vector9d = Eigen::Matrix<double, 9, 1>;
 
-/// Where a frame is.
-struct Placement {
-  const Matrix3Xd& positions;
-  const JointRotations& rotations;
-
-  BeamTerm::Ends<double> endsOf(const BeamTerm& term, const Edge& edge) const {
-    return term.endsAt(positions.col(edge.to) - positions.col(edge.from),
-                       Eigen::Quaterniond(rotations.col(edge.from)),
-                       Eigen::Quaterniond(rotations.col(edge.to)));
-  }
-};
-
-/// Of a vector of unknowns: how a bar's ends move.
-Vector9d atEnds(const Edge& edge, const Matrix3Xd& unknowns) {
-  const Eigen::Index count = unknowns.cols() / 2;
-  Vector9d result;
-  result << unknowns.col(edge.to) - unknowns.col(edge.from), unknowns.col(count + edge.from),
-      unknowns.col(count + edge.to);
-  return result;
-}
-
-/// The transposed of atEnds().
+/// The transposed of changeOfEnds().
 void addToEnds(const Edge& edge, const Vector9d& values, Matrix3Xd& unknowns) {
   const Eigen::Index count = unknowns.cols() / 2;
   unknowns.col(edge.to) += values.head<3>();
@@ -60,9 +37,23 @@ Eigen::Matrix<double, 9, 12> nineOfTwelve() {
 
 }  // namespace
 
+BeamTerm::Ends<double> FramePlacement::endsOf(const BeamTerm& term, const Edge& edge) const {
+  return term.endsAt(positions.col(edge.to) - positions.col(edge.from),
+                     Eigen::Quaterniond(rotations.col(edge.from)),
+                     Eigen::Quaterniond(rotations.col(edge.to)));
+}
+
+BeamTerm::Vector9<double> changeOfEnds(const Edge& edge, const Matrix3Xd& unknowns) {
+  const Eigen::Index count = unknowns.cols() / 2;
+  BeamTerm::Vector9<double> result;
+  result << unknowns.col(edge.to) - unknowns.col(edge.from), unknowns.col(count + edge.from),
+      unknowns.col(count + edge.to);
+  return result;
+}
+
 FrameEnergy::Value FrameEnergy::evaluate(const Matrix3Xd& positions,
                                          const JointRotations& rotations) const {
-  const Placement place{positions, rotations};
+  const FramePlacement place{positions, rotations};
   Value value{0, Matrix3Xd::Zero(3, 2 * positions.cols())};
   BeamTerm::forEach(grid_, [&](const BeamTerm& term, const Edge& edge) {
     const BeamTerm::Value at = term.evaluate(place.endsOf(term, edge));
@@ -75,7 +66,7 @@ FrameEnergy::Value FrameEnergy::evaluate(const Matrix3Xd& positions,
 Eigen::SparseMatrix<double> FrameEnergy::hessian(const Matrix3Xd& positions,
                                                  const JointRotations& rotations,
                                                  Definiteness definiteness) const {
-  const Placement place{positions, rotations};
+  const FramePlacement place{positions, rotations};
   const Eigen::Matrix<double, 9, 12> spread = nineOfTwelve();
   std::vector<Eigen::Triplet<double>> entries;
   entries.reserve(static_cast<std::size_t>(78) * grid_.shape.strutCount());
@@ -103,10 +94,10 @@ Eigen::SparseMatrix<double> FrameEnergy::hessian(const Matrix3Xd& positions,
 
 Matrix3Xd FrameEnergy::hessianProduct(const Matrix3Xd& positions, const JointRotations& rotations,
                                       const Matrix3Xd& motion) const {
-  const Placement place{positions, rotations};
+  const FramePlacement place{positions, rotations};
   Matrix3Xd result = Matrix3Xd::Zero(3, motion.cols());
   BeamTerm::forEach(grid_, [&](const BeamTerm& term, const Edge& edge) {
-    addToEnds(edge, term.hessian(place.endsOf(term, edge)) * atEnds(edge, motion), result);
+    addToEnds(edge, term.hessian(place.endsOf(term, edge)) * changeOfEnds(edge, motion), result);
   });
   return result;
 }

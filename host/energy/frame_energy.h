@@ -2,10 +2,22 @@
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
 
+#include "energy/beam_term.h"
 #include "grid/joint_rotations.h"
 #include "grid/strut_grid.h"
 
 namespace morphgrid {
+
+/// Where a frame is: 3 x vertexCount, and the joints' rotations.
+struct FramePlacement {
+  const Eigen::Matrix3Xd& positions;
+  const JointRotations& rotations;
+
+  BeamTerm::Ends<double> endsOf(const BeamTerm& term, const Edge& edge) const;
+};
+
+/// Of a vector of a frame's unknowns, 3 x 2 vertexCount: how a bar's ends move.
+BeamTerm::Vector9<double> changeOfEnds(const Edge& edge, const Eigen::Matrix3Xd& unknowns);
 
 /// The energy of a grid of welded bars (StrutGrid::bars), the sum of its beam terms, in double
 /// precision: the oracle for the device. Vectors of

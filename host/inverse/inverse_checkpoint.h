@@ -20,6 +20,7 @@ struct InverseStep {
   double rmsPercent;  ///< Distance to the target, see ShapeError.
   double maxPercent;
   double largestShrinkPercent;  ///< 1 - rest / printed length, over all lateral struts.
+  double largestStrainPercent;  ///< |length - rest| / rest at the equilibrium, of lateral struts.
   long strutsAtBound;
   long cycles;          ///< V-cycles of multigrid, to the new equilibria.
   int adjointProducts;  ///< Hessian products and cycles of the adjoint.
@@ -44,6 +45,7 @@ struct InverseCheckpoint {
   std::vector<InverseStep> steps;
   std::vector<double> objectives;  ///< After each step of optimisation.
   std::deque<BoundedLbfgs::Pair> pairs;
+  Eigen::Matrix3Xd aim = Eigen::Matrix3Xd(3, 0);  ///< Of AimCorrection, where there is one.
 };
 
 /// Throws InputError unless it is of a grid of so many lateral struts and vertices.

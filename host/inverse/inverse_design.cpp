@@ -7,11 +7,14 @@
 #include <cmath>
 #include <utility>
 
+#include "core/bounding_diagonal.h"
+#include "inverse/aim_correction.h"
 #include "solve/morph_course.h"
 
 namespace morphgrid {
 namespace {
 
+using Eigen::Matrix3Xd;
 using Eigen::VectorXd;
 
 // Where no bound is asked for, a rest length stays within this share of the designed one.
@@ -28,6 +31,10 @@ constexpr double kAdjointTolerance = 0.01;
 constexpr int kQuietSteps = 1;
 // After so many steps the equilibrium is solved as well as the last one will be.
 constexpr int kStepsToSettle = 10;
+// Strains count from this share of their bound on, so that what is left of them is within it.
+constexpr double kStrainMargin = 0.9;
+// RMS in percent: no printer is as precise.
+constexpr double kCloseEnough = 0.005;
 // So many times the objective: the grid has left for another equilibrium.
 constexpr double kGaveWay = 1.1;
 // Steps of the slow morph from flat.
@@ -43,13 +50,13 @@ double now() {
 }
 
 VectorXd lowest(const VectorXd& designed, const VectorXd& printed,
-                const std::optional<double>& shrinkLimit) {
-  return shrinkLimit ? VectorXd((1 - *shrinkLimit) * printed) : VectorXd((1 - kTrust) * designed);
+                const std::optional<ShrinkRange>& range) {
+  return range ? VectorXd((1 - range->most) * printed) : VectorXd((1 - kTrust) * designed);
 }
 
 VectorXd highest(const VectorXd& designed, const VectorXd& printed,
-                 const std::optional<double>& shrinkLimit) {
-  return shrinkLimit ? printed : VectorXd((1 + kTrust) * designed);
+                 const std::optional<ShrinkRange>& range) {
+  return range ? VectorXd((1 - range->least) * printed) : VectorXd((1 + kTrust) * designed);
 }
 
 }  // namespace
@@ -64,10 +71,12 @@ InverseDesigner::InverseDesigner(MultigridSolver& solver, const Eigen::Matrix3Xd
       lateral_(solver.grid().shape),
       designed_(lateral_.of(solver.grid())),
       printed_(lateral_.lengthsAt(solver.grid().positions)),
-      low_(lowest(designed_, printed_, options_.shrinkLimit)),
-      high_(highest(designed_, printed_, options_.shrinkLimit)),
+      low_(lowest(designed_, printed_, options_.shrinkRange)),
+      high_(highest(designed_, printed_, options_.shrinkRange)),
+      diagonal_(boundingDiagonal(targets)),
       lbfgs_(low_, high_),
-      pace_(options_.onCheckpoint) {
+      pace_(options_.onCheckpoint),
+      aim_(targets) {
   for (SolveOptions* solve : {&onTheWay_, &toTheEnd_}) {
     solve->startsNear = true;
     solve->onCheckpoint = nullptr;
@@ -105,9 +114,9 @@ InverseDesign InverseDesigner::run(Equilibrium first) {
   }
   result_.rest = lateral_.replacedIn(solver_.grid(), kept_.rest);
   solver_.setRest(result_.rest);
-  solver_.moveTo(kept_.equilibrium.positions);
+  moveTo(kept_.equilibrium);
   morphFromFlat();
-  solver_.moveTo(kept_.equilibrium.positions);
+  moveTo(kept_.equilibrium);
   result_.equilibrium = std::move(kept_.equilibrium);
   return std::move(result_);
 }
@@ -136,6 +145,7 @@ void InverseDesigner::resume(InverseCheckpoint from) {
   state_ = stateOf(std::move(from.present));
   kept_ = stateOf(std::move(from.kept));
   keptSteps_ = from.keptSteps;
+  if (from.aim.cols() == targets_.cols()) aim_ = std::move(from.aim);
   compensated_ = from.compensated;
   result_.steps = std::move(from.steps);
   objectives_ = std::move(from.objectives);
@@ -146,7 +156,9 @@ void InverseDesigner::resume(InverseCheckpoint from) {
 InverseDesigner::State InverseDesigner::stateOf(InverseCheckpoint::Design design) const {
   ShapeError error =
       computeShapeError(solver_.grid().shape, design.equilibrium.positions, targets_);
-  return {std::move(design.rest), std::move(design.equilibrium), std::move(error)};
+  const StrainExcess excess = excessOf(design);
+  const double objective = error.objective + excess.penalty;
+  return {std::move(design.rest), std::move(design.equilibrium), std::move(error), objective};
 }
 
 InverseCheckpoint InverseDesigner::checkpoint() const {
@@ -156,7 +168,8 @@ InverseCheckpoint InverseDesigner::checkpoint() const {
           keptSteps_,
           result_.steps,
           objectives_,
-          lbfgs_.pairs()};
+          lbfgs_.pairs(),
+          aim_};
 }
 
 void InverseDesigner::offerCheckpoint() {
@@ -171,7 +184,7 @@ void InverseDesigner::keep() {
 /// Keeps the present design if its equilibrium holds when it is solved to the end.
 bool InverseDesigner::settle() {
   State settled = morphed(state_.rest, toTheEnd_);
-  if (settled.error.objective > kGaveWay * state_.error.objective) {
+  if (settled.objective > kGaveWay * state_.objective) {
     return false;
   }
   state_ = std::move(settled);
@@ -198,10 +211,18 @@ void InverseDesigner::morphFromFlat() {
       .rmsPercent = computeShapeError(solver_.grid().shape, end.positions, targets_).rmsPercent};
 }
 
+void InverseDesigner::moveTo(const Equilibrium& equilibrium) {
+  if (equilibrium.rotations.cols() > 0) {
+    solver_.moveTo(equilibrium.positions, equilibrium.rotations);
+  } else {
+    solver_.moveTo(equilibrium.positions);
+  }
+}
+
 void InverseDesigner::place() {
   if (!isPlaced_) {
     solver_.setRest(lateral_.replacedIn(solver_.grid(), state_.rest));
-    solver_.moveTo(state_.equilibrium.positions);
+    moveTo(state_.equilibrium);
     isPlaced_ = true;
   }
 }
@@ -209,7 +230,7 @@ void InverseDesigner::place() {
 /// Solves from the present state with other rest lengths. The solver then stands there.
 InverseDesigner::State InverseDesigner::morphed(const VectorXd& rest, const SolveOptions& solve) {
   if (!isPlaced_) {
-    solver_.moveTo(state_.equilibrium.positions);
+    moveTo(state_.equilibrium);
   }
   isPlaced_ = false;
   solver_.setRest(lateral_.replacedIn(solver_.grid(), rest));
@@ -219,16 +240,50 @@ InverseDesigner::State InverseDesigner::morphed(const VectorXd& rest, const Solv
 }
 
 void InverseDesigner::compensate() {
-  const auto done = std::count_if(
+  if (options_.lengthsFor) {
+    aimBeyond();
+  } else {
+    correctLengths();
+  }
+}
+
+/// By aims that lie beyond the target.
+void InverseDesigner::aimBeyond() {
+  AimCorrection correction(targets_, aim_);
+  const GridShape& shape = solver_.grid().shape;
+  for (int round = 1 + roundsDone();
+       round <= options_.compensateRounds && !options_.solve.stopRequested() &&
+       !correction.isExhausted() && state_.error.rmsPercent > kCloseEnough;
+       ++round) {
+    offerCheckpoint();
+    const Matrix3Xd& aim = correction.next(middleLayer(shape, state_.equilibrium.positions));
+    State trial = morphed(lbfgs_.project(options_.lengthsFor(aim)), onTheWay_);
+    if (isBetter(trial) && strainsNoMore(trial)) {
+      correction.take();
+      aim_ = correction.aim();
+      state_ = std::move(trial);
+      isPlaced_ = true;
+      log(InverseStep::Kind::compensate, round);
+    } else {
+      correction.refuse();
+    }
+  }
+}
+
+int InverseDesigner::roundsDone() const {
+  return static_cast<int>(std::count_if(
       result_.steps.begin(), result_.steps.end(),
-      [](const InverseStep& step) { return step.kind == InverseStep::Kind::compensate; });
-  for (int round = 1 + static_cast<int>(done);
+      [](const InverseStep& step) { return step.kind == InverseStep::Kind::compensate; }));
+}
+
+void InverseDesigner::correctLengths() {
+  for (int round = 1 + roundsDone();
        round <= options_.compensateRounds && !options_.solve.stopRequested(); ++round) {
     offerCheckpoint();
     const VectorXd lengths = lateral_.lengthsAt(state_.equilibrium.positions);
     const VectorXd rest = state_.rest.cwiseProduct(designed_).cwiseQuotient(lengths);
     State next = morphed(lbfgs_.project(rest), onTheWay_);
-    if (next.error.objective >= state_.error.objective) {
+    if (next.objective >= state_.objective) {
       break;  // It cannot see twist, and may lead away.
     }
     state_ = std::move(next);
@@ -237,12 +292,23 @@ void InverseDesigner::compensate() {
   }
 }
 
+StrainExcess InverseDesigner::excessOf(const InverseCheckpoint::Design& design) const {
+  return options_.maxStrain
+             ? computeStrainExcess(lateral_, design.rest, design.equilibrium.positions,
+                                   kStrainMargin * *options_.maxStrain, diagonal_)
+             : StrainExcess{};
+}
+
 VectorXd InverseDesigner::gradient() {
   place();
-  const Adjoint adjoint =
-      solver_.solveAdjoint(state_.error.gradient, {.tolerance = kAdjointTolerance});
+  const StrainExcess excess = excessOf({state_.rest, state_.equilibrium});
+  Matrix3Xd byPositions = state_.error.gradient;
+  if (excess.penalty > 0) byPositions += excess.byPositions;
+  const Adjoint adjoint = solver_.solveAdjoint(byPositions, {.tolerance = kAdjointTolerance});
   products_ += adjoint.products;
-  return lateral_.gradient(solver_.grid(), state_.equilibrium.positions, adjoint.lambda);
+  VectorXd slope = lateral_.gradient(solver_.grid(), state_.equilibrium, adjoint.lambda);
+  if (excess.penalty > 0) slope += excess.byRest;
+  return slope;
 }
 
 bool InverseDesigner::falls() const {
@@ -266,7 +332,7 @@ void InverseDesigner::optimise() {
       if (step % kStepsToSettle == 0 && !settle()) {
         return;
       }
-      objectives_.push_back(state_.error.objective);
+      objectives_.push_back(state_.objective);
     }
   }
 }
@@ -299,7 +365,7 @@ bool InverseDesigner::searchLine(const VectorXd& direction) {
   double length = 1;
   for (int attempt = 0; attempt < kLineSearchSteps && !options_.solve.stopRequested(); ++attempt) {
     State next = morphed(lbfgs_.project(state_.rest + length * direction), onTheWay_);
-    if (next.equilibrium.converged && next.error.objective < state_.error.objective) {
+    if (isBetter(next)) {
       state_ = std::move(next);
       isPlaced_ = true;
       return true;
@@ -309,13 +375,29 @@ bool InverseDesigner::searchLine(const VectorXd& direction) {
   return false;
 }
 
+double InverseDesigner::largestStrain(const State& state) const {
+  const VectorXd lengths = lateral_.lengthsAt(state.equilibrium.positions);
+  return (lengths.array() / state.rest.array() - 1).abs().maxCoeff();
+}
+
+/// Than the present state.
+bool InverseDesigner::isBetter(const State& trial) const {
+  return trial.equilibrium.converged && trial.objective < state_.objective;
+}
+
+/// A correction knows nothing of strains: what is beyond their bound must not grow.
+bool InverseDesigner::strainsNoMore(const State& trial) const {
+  return !options_.maxStrain ||
+         largestStrain(trial) <= std::max(*options_.maxStrain, largestStrain(state_));
+}
+
 void InverseDesigner::log(InverseStep::Kind kind, int number) {
   const VectorXd shrink = 1 - state_.rest.array() / printed_.array();
   const long atBound =
       (state_.rest.array() <= low_.array() || state_.rest.array() >= high_.array()).count();
   result_.steps.push_back({kind, number, state_.error.rmsPercent, state_.error.maxPercent,
-                           100 * shrink.maxCoeff(), atBound, std::exchange(cycles_, 0),
-                           std::exchange(products_, 0), now() - start_});
+                           100 * shrink.maxCoeff(), 100 * largestStrain(state_), atBound,
+                           std::exchange(cycles_, 0), std::exchange(products_, 0), now() - start_});
   if (options_.onStep) {
     options_.onStep(result_.steps.back());
   }

@@ -4,19 +4,27 @@
 #include <string>
 #include <vector>
 
+#include "grid/shrink.h"
 #include "inverse/inverse_checkpoint.h"
 #include "inverse/lateral_rest.h"
 #include "inverse/shape_error.h"
+#include "inverse/strain_excess.h"
 #include "solve/checkpoint_pace.h"
 #include "solve/multigrid_solver.h"
 
 namespace morphgrid {
 
 struct InverseOptions {
-  int compensateRounds = 0;           ///< >= 0
-  int optimiseSteps = 0;              ///< >= 0
-  std::optional<double> shrinkLimit;  ///< Share of its printed length that a strut may lose.
-  SolveOptions solve;                 ///< For the last equilibrium.
+  int compensateRounds = 0;                ///< >= 0
+  int optimiseSteps = 0;                   ///< >= 0
+  std::optional<ShrinkRange> shrinkRange;  ///< Every strut keeps to it.
+  /// |length - rest| / rest of lateral struts beyond it counts as distance does, > 0.
+  std::optional<double> maxStrain;
+  /// Lateral rest lengths that lead to points of the middle layer, 3 x layerVertexCount, as far as
+  /// geometry knows. Where it is given, rounds of correction aim beyond the target; else they work
+  /// strut by strut.
+  std::function<Eigen::VectorXd(const Eigen::Matrix3Xd& points)> lengthsFor;
+  SolveOptions solve;                              ///< For the last equilibrium.
   std::function<void(const InverseStep&)> onStep;  ///< May be empty.
   /// Called when the design is chosen and the solver stands at it, before the solver's grid leaves
   /// for the check from flat; may be empty.
@@ -68,6 +76,7 @@ class InverseDesigner {
     Eigen::VectorXd rest;
     Equilibrium equilibrium;
     ShapeError error;
+    double objective;  ///< That of the distance, and of strains beyond the bound.
   };
 
   void begin(Equilibrium first);
@@ -75,6 +84,9 @@ class InverseDesigner {
   State stateOf(InverseCheckpoint::Design design) const;
   InverseCheckpoint checkpoint() const;
   void compensate();
+  int roundsDone() const;
+  void correctLengths();
+  void aimBeyond();
   void optimise();
   /// One step of optimisation.
   enum class Outcome { better, searchesAnew, fallsNoFurther };
@@ -85,8 +97,13 @@ class InverseDesigner {
   bool searchLine(const Eigen::VectorXd& direction);
   /// Brings the solver to where the present state is.
   void place();
+  void moveTo(const Equilibrium& equilibrium);
   State morphed(const Eigen::VectorXd& rest, const SolveOptions& solve);
   Eigen::VectorXd gradient();
+  StrainExcess excessOf(const InverseCheckpoint::Design& design) const;
+  double largestStrain(const State& state) const;
+  bool isBetter(const State& trial) const;
+  bool strainsNoMore(const State& trial) const;
   void log(InverseStep::Kind kind, int number);
   void offerCheckpoint();
   bool falls() const;
@@ -101,6 +118,7 @@ class InverseDesigner {
   Eigen::VectorXd printed_;
   Eigen::VectorXd low_;
   Eigen::VectorXd high_;
+  double diagonal_;  ///< Of the targets.
   BoundedLbfgs lbfgs_;
   CheckpointPace<InverseCheckpoint> pace_;
   State state_;
@@ -108,6 +126,7 @@ class InverseDesigner {
   State kept_;
   std::size_t keptSteps_ = 0;
   bool compensated_ = false;
+  Eigen::Matrix3Xd aim_;
   InverseDesign result_;
   std::vector<double> objectives_;  ///< After each step of optimise().
   long cycles_ = 0;

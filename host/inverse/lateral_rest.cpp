@@ -1,5 +1,6 @@
 #include "inverse/lateral_rest.h"
 
+#include "energy/frame_energy.h"
 #include "energy/strut_term.h"
 
 namespace morphgrid {
@@ -30,12 +31,20 @@ VectorXd LateralRest::lengthsAt(const Matrix3Xd& positions) const {
   return collect([&](const Strut& strut) { return lengthAt(positions, strut); });
 }
 
-VectorXd LateralRest::gradient(const StrutGrid& grid, const Matrix3Xd& equilibrium,
+VectorXd LateralRest::gradient(const StrutGrid& grid, const Equilibrium& equilibrium,
                                const Matrix3Xd& lambda) const {
+  if (grid.bars) {
+    const FramePlacement place{equilibrium.positions, equilibrium.rotations};
+    return collect([&](const Strut& strut) {
+      const BeamTerm term = BeamTerm::of(grid, strut);
+      const Edge edge{strut.from, strut.to};
+      return -term.gradientByRest(place.endsOf(term, edge)).dot(changeOfEnds(edge, lambda));
+    });
+  }
   return collect([&](const Strut& strut) {
     const auto stencil = StrutTerm::stencilOf(strut);
     const auto byRest =
-        StrutTerm::of(grid, strut).gradientByRest(differencesAlong(stencil, equilibrium));
+        StrutTerm::of(grid, strut).gradientByRest(differencesAlong(stencil, equilibrium.positions));
     return -byRest.dot(differencesAlong(stencil, lambda));
   });
 }

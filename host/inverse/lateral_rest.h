@@ -1,7 +1,7 @@
 #pragma once
 #include <Eigen/Core>
 
-#include "grid/strut_grid.h"
+#include "solve/equilibrium.h"
 
 namespace morphgrid {
 
@@ -11,6 +11,7 @@ class LateralRest {
  public:
   explicit LateralRest(const GridShape& shape) : shape_(shape) {}
 
+  const GridShape& shape() const { return shape_; }
   Eigen::Index size() const { return shape_.lateralStrutCount(); }
 
   /// The lateral rest lengths of a grid of this shape.
@@ -21,10 +22,10 @@ class LateralRest {
   /// Distances of the struts' ends. positions: 3 x vertexCount.
   Eigen::VectorXd lengthsAt(const Eigen::Matrix3Xd& positions) const;
 
-  /// dJ/dL of J(x(L)), x the equilibrium of the grid: `2 w c n . (lambda_to - lambda_from)`, n the
-  /// strut's unit vector, H lambda = dJ/dx with H the exact Hessian of the energy (docs/method.md,
-  /// Inverse design). equilibrium, lambda: 3 x vertexCount.
-  Eigen::VectorXd gradient(const StrutGrid& grid, const Eigen::Matrix3Xd& equilibrium,
+  /// dJ/dL of J(x(L)), x the equilibrium of the grid: `-lambda . (derivative of the energy's
+  /// gradient by L)`, H lambda = dJ/dx with H the exact Hessian of the energy (docs/method.md,
+  /// Inverse design). lambda: of as many columns as Adjoint's.
+  Eigen::VectorXd gradient(const StrutGrid& grid, const Equilibrium& equilibrium,
                            const Eigen::Matrix3Xd& lambda) const;
 
  private:

@@ -20,7 +20,8 @@ std::vector<int> chosenLines(int vertices, double share) {
                                std::min(kFewestLines, vertices), vertices);
   std::vector<int> lines;
   for (int n = 0; n < count; ++n) {
-    lines.push_back(static_cast<int>(std::lround(static_cast<double>(n) * (vertices - 1) / (count - 1))));
+    lines.push_back(
+        static_cast<int>(std::lround(static_cast<double>(n) * (vertices - 1) / (count - 1))));
   }
   return lines;
 }
@@ -31,7 +32,8 @@ Matrix2Xd alongSpline(const Matrix2Xd& points, const std::vector<double>& lines,
   using Spline = Eigen::Spline<double, 2, kSplineDegree>;
   const double last = lines.back();  // Splines have their parameters in [0, 1].
   Spline::KnotVectorType knots(lines.size());
-  std::transform(lines.begin(), lines.end(), knots.begin(), [&](double line) { return line / last; });
+  std::transform(lines.begin(), lines.end(), knots.begin(),
+                 [&](double line) { return line / last; });
   const Spline spline = Eigen::SplineFitting<Spline>::Interpolate(points, kSplineDegree, knots);
   Matrix2Xd result(2, finer.size());
   std::transform(finer.begin(), finer.end(), result.colwise().begin(),

@@ -75,7 +75,8 @@ bool overlapsItself(const GridShape& layer, const Matrix2Xd& positions) {
   for (int j = 0; j < layer.cellsV(); ++j) add(layer.cellsU(), j);
   for (int i = layer.cellsU(); i > 0; --i) add(i, layer.cellsV());
   for (int j = layer.cellsV(); j > 0; --j) add(0, j);
-  return !CGAL::is_simple_2(rim.begin(), rim.end(), CGAL::Exact_predicates_inexact_constructions_kernel());
+  return !CGAL::is_simple_2(rim.begin(), rim.end(),
+                            CGAL::Exact_predicates_inexact_constructions_kernel());
 }
 
 double largestMove(const VectorXd& step) {

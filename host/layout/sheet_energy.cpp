@@ -30,7 +30,8 @@ double middleOf(const SheetBar& bar) { return std::sqrt(bar.shortest * bar.longe
 /// The bar's terms, whose squares add up to its energy, and what they depend on.
 Rows termsOf(const SheetBar& bar, const VectorXd& unknowns, const Scale& scale,
              Jacobian* jacobian) {
-  const Eigen::Vector2d chord = unknowns.segment<2>(Index{3} * bar.to) - unknowns.segment<2>(Index{3} * bar.from);
+  const Eigen::Vector2d chord =
+      unknowns.segment<2>(Index{3} * bar.to) - unknowns.segment<2>(Index{3} * bar.from);
   const double square = chord.squaredNorm();
   const double length = scale.meanChord * std::sqrt(square);
   const double direction = std::atan2(chord.y(), chord.x());
@@ -75,7 +76,8 @@ SheetEnergy::SheetEnergy(const SheetProblem& problem)
 double SheetEnergy::enlargement(const Matrix2Xd& positions) const {
   double logarithms = 0;
   for (const SheetBar& bar : bars_) {
-    logarithms += std::log(middleOf(bar) / (positions.col(bar.to) - positions.col(bar.from)).norm());
+    logarithms +=
+        std::log(middleOf(bar) / (positions.col(bar.to) - positions.col(bar.from)).norm());
   }
   return std::exp(logarithms / static_cast<double>(bars_.size()));
 }

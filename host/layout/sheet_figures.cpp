@@ -82,7 +82,8 @@ SheetFigures computeSheetFigures(const SheetProblem& problem, const Sheet& sheet
     figures.barsBeyondRange += bar.isBeyondRange ? 1 : 0;
   }
   figures.scaleRatio = most / least;
-  const auto outlier = shares.begin() + std::lround((1 - kFewOutliers) * static_cast<double>(shares.size() - 1));
+  const auto outlier =
+      shares.begin() + std::lround((1 - kFewOutliers) * static_cast<double>(shares.size() - 1));
   std::nth_element(shares.begin(), outlier, shares.end());
   figures.fittingLayerSpacing = layerSpacing / *outlier;
 

@@ -15,7 +15,7 @@ struct SheetFigures {
   double scaleRatio = 1;
   int lateralStruts = 0;     ///< Of all layers.
   int strutsOutOfRange = 0;  ///< Of them, those that would shrink by more or less than they can.
-  int barsBeyondRange = 0;   ///< Struts of the net whose layers alone differ by more than the range.
+  int barsBeyondRange = 0;  ///< Struts of the net whose layers alone differ by more than the range.
   /// Angle of a joint's corner in the top layer less that in the bottom one, rad: what welded
   /// joints, printed alike in all layers, resist.
   double meanTwist = 0;

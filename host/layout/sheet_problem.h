@@ -19,14 +19,14 @@ struct SheetProblem {
 
 /// A bar of the net, seen from the tangent planes at its ends.
 struct SheetBar {
-  int from, to;                  ///< Joints.
-  double chord;                  ///< On the target, > 0.
-  double directionFrom;          ///< Of from -> to in the tangent plane at `from`, rad, counted from
-  double directionTo;            ///< an axis of that joint; the same direction at `to`.
-  double leastRest, mostRest;    ///< Over the layers.
-  double shortest, longest;      ///< What it may be printed at. Equal where no length will do: then
-                                 ///< the one that misses by the least.
-  bool isBeyondRange;            ///< Its layers alone differ by more than the material's range.
+  int from, to;                ///< Joints.
+  double chord;                ///< On the target, > 0.
+  double directionFrom;        ///< Of from -> to in the tangent plane at `from`, rad, counted from
+  double directionTo;          ///< an axis of that joint; the same direction at `to`.
+  double leastRest, mostRest;  ///< Over the layers.
+  double shortest, longest;    ///< What it may be printed at. Equal where no length will do: then
+                               ///< the one that misses by the least.
+  bool isBeyondRange;          ///< Its layers alone differ by more than the material's range.
 };
 
 /// In the order of forEachLateralStrut().
@@ -36,8 +36,8 @@ std::vector<SheetBar> sheetBars(const SheetProblem& problem);
 /// the difference of their directions. A corner of a cell.
 struct SheetCorner {
   int joint;
-  int first, second;                ///< Indices of bars; the second lies to the left of the first.
-  bool leavesFirst, leavesSecond;   ///< Whether the bar leaves the joint; else it arrives.
+  int first, second;               ///< Indices of bars; the second lies to the left of the first.
+  bool leavesFirst, leavesSecond;  ///< Whether the bar leaves the joint; else it arrives.
 };
 std::vector<SheetCorner> sheetCorners(const GridShape& layer);
 

@@ -114,8 +114,9 @@ Equilibrium readEquilibrium(const json& e) {
   Equilibrium stage;
   stage.iterations = integer<long>(e.at("iterations"));
   stage.converged = e.at("converged").get<bool>();
-  stage.reason = choose({residual, energy, iterationLimit, stagnated, interrupted, deviceFailure, laidOut},
-                        e.at("reason"));
+  stage.reason =
+      choose({residual, energy, iterationLimit, stagnated, interrupted, deviceFailure, laidOut},
+             e.at("reason"));
   stage.residual = numberOr(kNoNumber, e.at("residual"));
   stage.energy = numberOr(kNoNumber, e.at("energy"));
   stage.seconds = number(e.at("seconds"));
@@ -134,8 +135,8 @@ SheetFigures readSheet(const json& s) {
           .largestTwist = radians(number(s.at("largest_twist_degrees"))),
           .sizeX = number(s.at("size_x")),
           .sizeY = number(s.at("size_y")),
-          .fittingLayerSpacing = numberOr(std::numeric_limits<double>::infinity(),
-                                          s.at("fitting_layer_spacing")),
+          .fittingLayerSpacing =
+              numberOr(std::numeric_limits<double>::infinity(), s.at("fitting_layer_spacing")),
           .iterations = integer(s.at("iterations")),
           .seconds = number(s.at("seconds"))};
 }
@@ -147,6 +148,7 @@ InverseStep readStep(const json& s) {
           number(s.at("rms_percent")),
           number(s.at("max_percent")),
           number(s.at("largest_shrink_percent")),
+          numberOr(kNoNumber, s.value("largest_strain_percent", json())),
           integer<long>(s.at("struts_at_bound")),
           integer<long>(s.at("cycles")),
           integer(s.at("adjoint_products")),
@@ -198,8 +200,8 @@ TargetDistance readDistance(const json& d) {
 }
 
 ShrinkCounts readShrinkCounts(const json& s) {
-  return {number(s.at("largest_percent")), integer(s.at("struts_over_limit")),
-          integer(s.at("struts_at_limit")), integer(s.at("struts_growing")),
+  return {number(s.at("largest_percent")),        integer(s.at("struts_over_limit")),
+          integer(s.at("struts_at_limit")),       integer(s.at("struts_growing")),
           number(s.at("largest_growth_percent")), s.value("struts_under_least", 0)};
 }
 
@@ -209,6 +211,11 @@ ShrinkFigures readShrink(const json& s) {
     shrink.layers.push_back(readShrinkCounts(layer));
   }
   return shrink;
+}
+
+StrainFigures readStrain(const json& s) {
+  return {number(s.at("largest_percent")), number(s.at("mean_percent")),
+          integer(s.at("struts_over_limit"))};
 }
 
 GridPlace readPlace(const json& p) {
@@ -242,9 +249,9 @@ RunRecord readRecord(const json& r) {
   record.net = optionally(readNet, r.at("net"));
   record.mesh = optionally(readMesh, r.at("mesh"));
   record.measurement = optionally(readMeasurement, r.at("measurement"));
-  if (const auto sheet = r.find("sheet"); sheet != r.end()) {  // Once there was none.
-    record.sheet = optionally(readSheet, *sheet);
-  }
+  // Reports of before have neither.
+  record.sheet = optionally(readSheet, r.value("sheet", json()));
+  record.strain = optionally(readStrain, r.value("strain", json()));
   record.inPlane = optionally(readEquilibrium, r.at("in_plane"));
   record.printScale = number(r.at("print_scale"));
   record.full = optionally(readEquilibrium, r.at("full"));

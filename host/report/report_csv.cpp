@@ -17,12 +17,12 @@ void appendSamples(std::string& csv, const char* stage, const std::optional<Equi
 
 std::string toInverseCsv(const InverseDesign& inverse) {
   std::string csv =
-      "kind,number,rms_percent,max_percent,largest_shrink_percent,struts_at_bound,cycles,"
-      "adjoint_products,seconds\n";
+      "kind,number,rms_percent,max_percent,largest_shrink_percent,largest_strain_percent,"
+      "struts_at_bound,cycles,adjoint_products,seconds\n";
   for (const InverseStep& s : inverse.steps) {
-    csv += fmt::format("{},{},{},{},{},{},{},{},{}\n", toString(s.kind), s.number, s.rmsPercent,
-                       s.maxPercent, s.largestShrinkPercent, s.strutsAtBound, s.cycles,
-                       s.adjointProducts, s.seconds);
+    csv += fmt::format("{},{},{},{},{},{},{},{},{},{}\n", toString(s.kind), s.number, s.rmsPercent,
+                       s.maxPercent, s.largestShrinkPercent, s.largestStrainPercent,
+                       s.strutsAtBound, s.cycles, s.adjointProducts, s.seconds);
   }
   return csv;
 }

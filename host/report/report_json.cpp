@@ -45,6 +45,7 @@ ordered_json toJson(const InverseStep& step) {
           {"rms_percent", step.rmsPercent},
           {"max_percent", step.maxPercent},
           {"largest_shrink_percent", step.largestShrinkPercent},
+          {"largest_strain_percent", number(step.largestStrainPercent)},
           {"struts_at_bound", step.strutsAtBound},
           {"cycles", step.cycles},
           {"adjoint_products", step.adjointProducts},
@@ -171,6 +172,12 @@ ordered_json toJson(const ShrinkFigures& s) {
   return json;
 }
 
+ordered_json toJson(const StrainFigures& s) {
+  return {{"largest_percent", s.largestPercent},
+          {"mean_percent", s.meanPercent},
+          {"struts_over_limit", s.strutsOverLimit}};
+}
+
 ordered_json toJson(const GridPlace& place) { return {place.i, place.j, place.layer}; }
 
 ordered_json toJson(const CloseStruts& c) {
@@ -219,6 +226,7 @@ std::string toJson(const RunRecord& record) {
       {"errors", orNull(record.errors)},
       {"distance_to_target", orNull(record.distance)},
       {"shrink", orNull(record.shrink)},
+      {"strain", orNull(record.strain)},
       {"feasibility", orNull(record.feasibility)},
       {"device_failure",
        record.deviceFailure ? ordered_json(*record.deviceFailure) : ordered_json(nullptr)},

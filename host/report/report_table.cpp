@@ -77,10 +77,10 @@ void addSheet(Table& table, const RunRecord& record) {
   }
   const SheetFigures& s = *record.sheet;
   table.row("sheet", fmt::format("{:.4g} x {:.4g}", s.sizeX, s.sizeY));
-  table.row("  angle off, mean / max", fmt::format("{:.2f} / {:.1f} deg", degrees(s.meanAngle),
-                                                  degrees(s.largestAngle)));
-  table.row("  twist, mean / max", fmt::format("{:.1f} / {:.1f} deg", degrees(s.meanTwist),
-                                              degrees(s.largestTwist)));
+  table.row("  angle off, mean / max",
+            fmt::format("{:.2f} / {:.1f} deg", degrees(s.meanAngle), degrees(s.largestAngle)));
+  table.row("  twist, mean / max",
+            fmt::format("{:.1f} / {:.1f} deg", degrees(s.meanTwist), degrees(s.largestTwist)));
   table.row("  scale varies by", fmt::format("{:.3g}", s.scaleRatio));
   table.row("  struts out of range", fmt::format("{}", s.strutsOutOfRange));
   table.row("  laid out in", fmt::format("{} it., {:.2f} s", s.iterations, s.seconds));
@@ -202,6 +202,7 @@ void addResults(Table& table, const RunRecord& record, const PublishedFigures& p
   }
   if (record.shrink) {
     table.row("largest shrink", percent(record.shrink->largestPercent));
+    if (record.strain) table.row("largest strain", percent(record.strain->largestPercent));
     table.row("struts over the limit", fmt::format("{}", record.shrink->strutsOverLimit));
   }
   addFeasibility(table, record);

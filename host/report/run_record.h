@@ -75,6 +75,7 @@ struct RunRecord {
   std::optional<StrutErrors> errors;
   std::optional<TargetDistance> distance;
   std::optional<ShrinkFigures> shrink;
+  std::optional<StrainFigures> strain;
   std::optional<Feasibility> feasibility;
   std::optional<PublishedFigures> published;
   std::optional<std::string> deviceFailure;  ///< What the device said when it failed on the way.

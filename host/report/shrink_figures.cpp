@@ -3,6 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+
+#include "grid/strain.h"
 
 namespace morphgrid {
 namespace {
@@ -32,6 +35,30 @@ ShrinkFigures computeShrink(const StrutGrid& stacked, const ShrinkRange& range) 
     add(figures.layers[strut.layer], valueAt(shrinks, strut), range);
   });
   return figures;
+}
+
+StrainFigures computeStrain(const StrutGrid& grid, const Eigen::Matrix3Xd& positions,
+                            const std::optional<double>& limit) {
+  StrainFigures figures;
+  const double count = grid.shape.lateralStrutCount();
+  forEachLateralStrut(grid.shape, [&](const Strut& strut) {
+    const double strain = std::abs(strainAt(grid, positions, strut));
+    figures.largestPercent = std::max(figures.largestPercent, 100 * strain);
+    figures.meanPercent += 100 * strain / count;
+    figures.strutsOverLimit += limit && strain > *limit + kTolerance ? 1 : 0;
+  });
+  return figures;
+}
+
+std::vector<std::string> adviseOn(const StrainFigures& strain, double limit) {
+  if (strain.strutsOverLimit == 0) {
+    return {};
+  }
+  return {fmt::format(
+      "{} of the lateral struts are strained by more than design.max_strain = {:g} %, by up to "
+      "{:.1f} %: raise design.optimise, lower grid.layer_spacing, or take a surface that curves "
+      "less",
+      strain.strutsOverLimit, 100 * limit, strain.largestPercent)};
 }
 
 std::vector<std::string> adviseOn(const ShrinkFigures& shrink, const ShrinkRange& range) {

@@ -1,4 +1,5 @@
 #pragma once
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -25,7 +26,20 @@ struct ShrinkFigures : ShrinkCounts {
 /// of the printed length.
 ShrinkFigures computeShrink(const StrutGrid& stacked, const ShrinkRange& range);
 
+/// How far lateral struts are from their rest lengths where the grid has come to rest.
+struct StrainFigures {
+  double largestPercent = 0;
+  double meanPercent = 0;
+  int strutsOverLimit = 0;  ///< Where there is a limit.
+};
+
+/// positions: 3 x vertexCount; limit: a share.
+StrainFigures computeStrain(const StrutGrid& grid, const Eigen::Matrix3Xd& positions,
+                            const std::optional<double>& limit);
+
 /// What the material cannot do and what to do about it, a sentence each; none where it can.
 std::vector<std::string> adviseOn(const ShrinkFigures& shrink, const ShrinkRange& range);
+/// limit: a share.
+std::vector<std::string> adviseOn(const StrainFigures& strain, double limit);
 
 }  // namespace morphgrid

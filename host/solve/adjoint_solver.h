@@ -13,8 +13,8 @@ class AdjointSolver {
   /// DeviceError when the device's limits are exceeded.
   AdjointSolver(const Device& device, PreconditionedDescent& descent);
 
-  /// H at the positions that the descent has reached. rightSide: 3 x vertexCount. Throws
-  /// DeviceError when the device fails.
+  /// H at the positions that the descent has reached. rightSide, lambda: 3 x vectorLength, the
+  /// unknowns of the device. Throws DeviceError when the device fails.
   Adjoint solve(const Eigen::Matrix3Xd& rightSide, const AdjointOptions& options = {});
 
  private:

@@ -39,10 +39,11 @@ StopReason descend(PreconditionedDescent& descent, const SolveOptions& options,
     if (const auto reason = progress.reasonToStop()) {
       return *reason;
     }
-    if (!descent.iterate()) {
-      return StopReason::stagnated;
-    }
+    const bool falls = descent.iterate();
     fall.add(descent);
+    if (!falls) {
+      return fall.quietSteps() > 0 ? StopReason::energy : StopReason::stagnated;
+    }
     progress.add(descent, fall);
   }
 }
@@ -165,7 +166,7 @@ StopReason MultigridSolver::solveFinest(std::size_t phase, const SolveOptions& o
   return reason;
 }
 
-Equilibrium MultigridSolver::assess(StopReason reason, double tolerance) const {
+Equilibrium MultigridSolver::assess(StopReason reason, const SolveOptions& options) const {
   Equilibrium result;
   result.positions = deviceGrid_->downloadPositions();
   result.rotations = deviceGrid_->downloadRotations(deviceGrid_->positions());
@@ -174,10 +175,11 @@ Equilibrium MultigridSolver::assess(StopReason reason, double tolerance) const {
   result.residual = value.residual;
   // The device may see a slightly other residual than the host in double: the host decides.
   result.reason = reason;
-  if (result.residual <= tolerance) {
+  if (result.residual <= options.tolerance) {
     result.reason = StopReason::residual;
   } else if (reason == StopReason::residual) {
-    result.reason = StopReason::stagnated;
+    // Where energies count, descend() has seen this one at rest.
+    result.reason = options.energyTolerance > 0 ? StopReason::energy : StopReason::stagnated;
   }
   result.converged = result.reason == StopReason::residual || result.reason == StopReason::energy;
   return result;
@@ -202,7 +204,7 @@ Equilibrium MultigridSolver::solve(const SolveOptions& options) {
     nested.clear();
   }
   const StopReason reason = solveFinest(vertexCounts.size() - 1, options, progress);
-  Equilibrium result = assess(reason, options.tolerance);
+  Equilibrium result = assess(reason, options);
   result.iterations = static_cast<long>(std::ceil(progress.cycles()));
   result.seconds = progress.seconds();
   result.history = std::move(progress.history());
@@ -215,7 +217,14 @@ Adjoint MultigridSolver::solveAdjoint(const Eigen::Matrix3Xd& rightSide,
   if (!adjoint_) {
     adjoint_ = std::make_unique<AdjointSolver>(device_, descent());
   }
-  return adjoint_->solve(rightSide, options);
+  if (!grid_.bars) {
+    return adjoint_->solve(rightSide, options);
+  }
+  Eigen::Matrix3Xd forces = Eigen::Matrix3Xd::Zero(3, descent().vectorLength());
+  forces.leftCols(rightSide.cols()) = rightSide;
+  Adjoint adjoint = adjoint_->solve(forces, options);
+  adjoint.lambda.rightCols(rightSide.cols()) /= grid_.spacing;
+  return adjoint;
 }
 
 Preconditioner MultigridSolver::preconditioner() {

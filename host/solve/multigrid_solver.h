@@ -48,7 +48,8 @@ class MultigridSolver {
   /// when the checkpoint to resume from is of another grid.
   Equilibrium solve(const SolveOptions& options);
 
-  /// H lambda = rightSide at the present positions, see AdjointSolver.
+  /// H lambda = rightSide at the present positions, see AdjointSolver. rightSide: 3 x vertexCount,
+  /// forces; no moments.
   Adjoint solveAdjoint(const Eigen::Matrix3Xd& rightSide, const AdjointOptions& options = {});
 
   /// One V-cycle at the present positions, for as long as they stay and the solver lives.
@@ -64,7 +65,7 @@ class MultigridSolver {
   Eigen::Matrix3Xd solveCoarse(const StrutGrid& grid, SolveProgress& progress) const;
   StopReason solveFinest(std::size_t phase, const SolveOptions& options, SolveProgress& progress);
   /// Energy and residual of the present positions, in double precision on the host.
-  Equilibrium assess(StopReason reason, double tolerance) const;
+  Equilibrium assess(StopReason reason, const SolveOptions& options) const;
 
   const Device& device_;
   StrutGrid grid_;

@@ -101,6 +101,9 @@ bool PreconditionedDescent::descend() {
   if (!(descent > 0)) {
     return false;
   }
+  if (damping_ == 0) {
+    predictedDecrease_ = descent / 2;
+  }
   tryFullStep(weights);
   return searchLine(descent);
 }

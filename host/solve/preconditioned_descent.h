@@ -29,8 +29,8 @@ class PreconditionedDescent {
   JointRotations rotations() const { return grid_.downloadRotations(vectors_.currentPositions()); }
   double energy() const { return sums_.energy; }
   double gradientNorm() const;
-  /// How far the energy would have fallen in the last step, were it quadratic; infinite before
-  /// the first.
+  /// How far the energy would have fallen in the last step, were it quadratic, also where no step
+  /// lowered it; infinite before the first.
   double predictedDecrease() const { return predictedDecrease_; }
 
   /// Brings the positions reached to DeviceGrid::positions().

@@ -38,8 +38,12 @@ Equilibrium sampleEquilibrium(int vertices) {
 Checkpoint sampleCheckpoint() {
   Checkpoint checkpoint;
   checkpoint.problem = {"0123", {{"layers", "3"}, {"nodes", "4 x 5"}}};
-  checkpoint.solve =
-      SolveCheckpoint{2, Eigen::Matrix3Xd::Random(3, 7), {}, 17.0 / 3, 0.1, sampleHistory()};
+  checkpoint.solve = SolveCheckpoint{2,
+                                     Eigen::Matrix3Xd::Random(3, 7),
+                                     JointRotations::Random(4, 7),
+                                     17.0 / 3,
+                                     0.1,
+                                     sampleHistory()};
   return checkpoint;
 }
 
@@ -51,11 +55,13 @@ Checkpoint sampleInInverseDesign() {
   InverseCheckpoint& inverse = checkpoint.inverse.emplace();
   inverse.compensated = true;
   inverse.present = {Eigen::VectorXd::Random(8), sampleEquilibrium(7)};
+  inverse.present.equilibrium.rotations = JointRotations::Random(4, 7);
   inverse.kept = {Eigen::VectorXd::Random(8), sampleEquilibrium(7)};
   inverse.keptSteps = 1;
-  inverse.steps = {{InverseStep::Kind::design, 0, 3.5, 7.25, 40, 3, 12, 0, 0.5},
-                   {InverseStep::Kind::optimise, 1, 1.0 / 3, 0.5, 39, 0, 7, 6, 0.75}};
+  inverse.steps = {{InverseStep::Kind::design, 0, 3.5, 7.25, 40, 1.5, 3, 12, 0, 0.5},
+                   {InverseStep::Kind::optimise, 1, 1.0 / 3, 0.5, 39, 2.5, 0, 7, 6, 0.75}};
   inverse.objectives = {0.25};
+  inverse.aim = Eigen::Matrix3Xd::Random(3, 9);
   inverse.pairs = {{Eigen::VectorXd::Random(8), Eigen::VectorXd::Random(8)}};
   return checkpoint;
 }
@@ -73,6 +79,7 @@ void expectSame(const std::vector<ConvergenceSample>& a, const std::vector<Conve
 
 void expectSame(const Equilibrium& a, const Equilibrium& b) {
   EXPECT_EQ(a.positions, b.positions);
+  EXPECT_EQ(a.rotations, b.rotations);
   EXPECT_EQ(a.iterations, b.iterations);
   EXPECT_EQ(a.converged, b.converged);
   EXPECT_EQ(a.reason, b.reason);
@@ -88,6 +95,7 @@ void expectSame(const InverseStep& a, const InverseStep& b) {
   EXPECT_EQ(a.rmsPercent, b.rmsPercent);
   EXPECT_EQ(a.maxPercent, b.maxPercent);
   EXPECT_EQ(a.largestShrinkPercent, b.largestShrinkPercent);
+  EXPECT_EQ(a.largestStrainPercent, b.largestStrainPercent);
   EXPECT_EQ(a.strutsAtBound, b.strutsAtBound);
   EXPECT_EQ(a.cycles, b.cycles);
   EXPECT_EQ(a.adjointProducts, b.adjointProducts);
@@ -123,6 +131,7 @@ TEST_F(CheckpointFile, KeepsEveryBitOfASolve) {
   ASSERT_TRUE(read.solve);
   EXPECT_EQ(read.solve->phase, written.solve->phase);
   EXPECT_EQ(read.solve->positions, written.solve->positions);
+  EXPECT_EQ(read.solve->rotations, written.solve->rotations);
   EXPECT_EQ(read.solve->iterations, written.solve->iterations);
   EXPECT_EQ(read.solve->seconds, written.solve->seconds);
   expectSame(read.solve->history, written.solve->history);
@@ -149,6 +158,7 @@ TEST_F(CheckpointFile, KeepsEveryBitOfInverseDesign) {
     expectSame(a.steps[n], b.steps[n]);
   }
   EXPECT_EQ(a.objectives, b.objectives);
+  EXPECT_EQ(a.aim, b.aim);
   ASSERT_EQ(a.pairs.size(), b.pairs.size());
   EXPECT_EQ(a.pairs.front().step, b.pairs.front().step);
   EXPECT_EQ(a.pairs.front().change, b.pairs.front().change);
@@ -187,7 +197,7 @@ TEST_F(CheckpointFile, ContentsThatMakeNoSenseAreRefused) {
   EXPECT_EQ(problemWith([](Checkpoint&) {}), "");
   EXPECT_THAT(problemWith([](Checkpoint& c) { c.solve->phase = -1; }), damaged);
   EXPECT_THAT(problemWith([](Checkpoint& c) { c.solve->positions(1, 2) = std::nan(""); }), damaged);
-  EXPECT_THAT(problemWith([](Checkpoint& c) { c.full->reason = static_cast<StopReason>(6); }),
+  EXPECT_THAT(problemWith([](Checkpoint& c) { c.full->reason = static_cast<StopReason>(7); }),
               damaged);
   EXPECT_THAT(problemWith([](Checkpoint& c) { c.inPlane->history[1].iteration = -1; }), damaged);
   EXPECT_THAT(problemWith([](Checkpoint& c) { c.inverse->steps[1].number = -1; }), damaged);

@@ -64,12 +64,35 @@ TEST(MaterialSettings, AFrameGoesWithWhatIsThereForIt) {
   EXPECT_THAT(problems("solver.method=jacobi"),
               HasSubstr("needs solver.method = \"multigrid\" or \"reference\", got \"jacobi\""));
   EXPECT_THAT(problems("grid.layers=1"), HasSubstr("needs grid.layers >= 2, got 1"));
-  EXPECT_THAT(problems("design.optimise=1"), HasSubstr("goes with neither"));
   EXPECT_THAT(problems("solver.smallest_eigenvalue=true"),
               HasSubstr("has no solver.smallest_eigenvalue yet"));
   EXPECT_THAT(problems("material.poisson=0.5"), HasSubstr("material.poisson must be"));
   EXPECT_THAT(problems("material.bar_width=0"),
               HasSubstr("material.bar_width must be a number > 0"));
+}
+
+TEST(MaterialSettings, TheRangeOfShrinkMustNotBeEmpty) {
+  const SceneFiles files(kBezierScene);
+  EXPECT_THAT(
+      files.problems({"material.least_shrinkage=0.4", "grid.max_shrinkage=0.4"}),
+      HasSubstr("material.least_shrinkage must be less than grid.max_shrinkage = 0.4, got 0.4"));
+  EXPECT_EQ(files.load({"material.least_shrinkage=-0.1"}).material.leastShrinkage, -0.1);
+}
+
+TEST(DesignSettings, AFrameIsLaidOutConformally) {
+  const SceneFiles files(kBezierScene);
+  const Scene papers = files.load({});
+  EXPECT_EQ(papers.design.layout, Layout::inPlane);
+  EXPECT_EQ(papers.design.maxStrain, std::nullopt);
+  const Scene frame = files.load({"material.model=frame"});
+  EXPECT_EQ(frame.design.layout, Layout::conformal);
+  EXPECT_EQ(frame.design.reference, Reference::middle);
+  EXPECT_EQ(frame.design.maxStrain, 0.03);
+  const Scene asked =
+      files.load({"material.model=frame", "design.layout=in_plane", "design.max_strain=0.1"});
+  EXPECT_EQ(asked.design.layout, Layout::inPlane);
+  EXPECT_EQ(asked.design.reference, Reference::convex);
+  EXPECT_EQ(asked.design.maxStrain, 0.1);
 }
 
 TEST(DesignSettings, AnOrthogonalNetGoesWithTheMiddle) {

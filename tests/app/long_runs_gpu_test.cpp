@@ -120,6 +120,9 @@ class InverseDesignRun : public LongRun {
                                   const std::vector<std::string>& more = {}) const {
     std::vector<std::string> arguments{"run",   sourceFolder() / "scenes/egg_chair_true.toml",
                                        "--out", folder_ / name,
+                                       "--set", "material.model=paper",
+                                       "--set", "design.net=orthogonal",
+                                       "--set", "design.compensate=2",
                                        "--set", "grid.nodes_long=30",
                                        "--set", "output.pictures=false",
                                        "--set", "design.optimise=25"};

@@ -13,7 +13,7 @@ class FidelityPictureTest : public DeviceTest {};
 FidelityRun squareRun(double layerSpacing) {
   FidelityRun run;
   run.record.grid = {{41, 41, 3}, 1, layerSpacing, 0};
-  run.record.distance.emplace().maxPercent = 1;
+  run.frame.asDesigned.max = 1;
   run.targets.resize(3, 41 * 41);
   for (int j = 0; j < 41; ++j) {
     for (int i = 0; i < 41; ++i) {
@@ -30,7 +30,7 @@ FidelityRun squareRun(double layerSpacing) {
 TEST_F(FidelityPictureTest, DoesNotDependOnTheLayerSpacing) {
   const auto drawn = [&](double layerSpacing) {
     const FidelityRun run = squareRun(layerSpacing);
-    return drawFidelity(device_, {"square", false, run, run}).rgba;
+    return drawFidelity(device_, {"square", false, run, run, run}).rgba;
   };
   EXPECT_EQ(drawn(1e-6), drawn(0.3));
 }

@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 
+#include <Eigen/Geometry>
 #include <cmath>
 
 #include "core/error.h"
@@ -71,7 +72,7 @@ TEST(DesignOnOffsets, StrutsOfACylinderAreChordsOfItsOffsets) {
   for (const int layers : {2, 3, 4}) {
     const double tau = 0.2;
     const GridDesign design =
-        designOnOffsets(cylinder.measurement, cylinder.normals, {.layerSpacing = tau}, layers);
+        designOnOffsets(cylinder.measurement, cylinder.normals, {layers, tau});
     ASSERT_EQ(design.rest.size(), std::size_t(layers));
     for (int k = 0; k < layers; ++k) {
       const double radius = kRadius - (k - (layers - 1) / 2.0) * tau;
@@ -87,16 +88,14 @@ TEST(DesignOnOffsets, StrutsOfACylinderAreChordsOfItsOffsets) {
 
 TEST(DesignOnOffsets, TurnedOverTheTopIsConvex) {
   const Cylinder cylinder;
-  const GridDesign design =
-      designOnOffsets(cylinder.measurement, -cylinder.normals, {.layerSpacing = 0.2}, 3);
+  const GridDesign design = designOnOffsets(cylinder.measurement, -cylinder.normals, {3, 0.2});
   EXPECT_NEAR(design.bendAngles.u(0, 0), -kStep, 1e-13);
   EXPECT_EQ(design.lengths.u(0, 0), design.rest[2].u(0, 0));
 }
 
 TEST(DesignOnOffsets, OneLayerDoesNotBend) {
   const Cylinder cylinder;
-  const GridDesign design =
-      designOnOffsets(cylinder.measurement, cylinder.normals, {.layerSpacing = 9}, 1);
+  const GridDesign design = designOnOffsets(cylinder.measurement, cylinder.normals, {1, 9});
   EXPECT_NEAR(design.rest[0].u(0, 0), 2 * kRadius * std::sin(kStep / 2), 1e-15);
   EXPECT_EQ(design.bendAngles.u(0, 0), 0);
 }
@@ -104,7 +103,7 @@ TEST(DesignOnOffsets, OneLayerDoesNotBend) {
 TEST(DesignOnOffsets, RefusesLayersBeyondTheCentreOfCurvature) {
   const Cylinder cylinder;
   const auto design = [&](double tau) {
-    return designOnOffsets(cylinder.measurement, cylinder.normals, {.layerSpacing = tau}, 4);
+    return designOnOffsets(cylinder.measurement, cylinder.normals, {4, tau});
   };
   EXPECT_NO_THROW(design(kRadius / 1.5 - 1e-9));
   try {
@@ -120,8 +119,7 @@ TEST(DesignOnOffsets, RefusesLayersBeyondTheCentreOfCurvature) {
 TEST(DesignOnOffsets, RefusesStrutsWithoutLength) {
   Cylinder cylinder;
   cylinder.measurement.chords.v(1, 0) = 0;
-  EXPECT_THROW(designOnOffsets(cylinder.measurement, cylinder.normals, {.layerSpacing = 0.1}, 3),
-               InputError);
+  EXPECT_THROW(designOnOffsets(cylinder.measurement, cylinder.normals, {3, 0.1}), InputError);
 }
 
 TEST(RestLength, TheConvexSideKeepsItsLength) {
@@ -132,6 +130,33 @@ TEST(RestLength, TheConvexSideKeepsItsLength) {
   EXPECT_EQ(restLength(1, -theta, 0.1, 2, 3), 1);
   EXPECT_NEAR(restLength(1, -theta, 0.1, 0, 3), 1 - 2 * step, 1e-15);
   EXPECT_EQ(restLength(1, 0, 0.1, 1, 3), 1);
+}
+
+TEST(LengthsOnOffsets, DifferByMoreWhereBarsResist) {
+  const Cylinder cylinder;
+  const GridShape layer = cylinder.measurement.chords.shape();
+  const auto lengths = [&](double barHeight) {
+    return lengthsOnOffsets(layer, cylinder.measurement.points, cylinder.normals,
+                            {3, 0.2, barHeight});
+  };
+  const auto springs = lengths(0);
+  const auto bars = lengths(0.3);
+  const double middle = springs[1].u(0, 0);
+  EXPECT_NEAR(bars[1].u(0, 0), middle, 1e-15);
+  // 3 0.3^2 / (12 (0.2^2 + 0.2^2))
+  EXPECT_NEAR(bars[2].u(0, 0) - middle, 1.28125 * (springs[2].u(0, 0) - middle), 1e-12);
+  EXPECT_NEAR(bars[0].v(0, 0), springs[0].v(0, 0), 1e-15);  // Straight along the axis.
+}
+
+TEST(CarryNormals, TurnWithThePoints) {
+  const Cylinder cylinder;
+  const GridShape layer = cylinder.measurement.chords.shape();
+  const Eigen::Matrix3Xd& points = cylinder.measurement.points;
+  const Eigen::Matrix3d turn =
+      Eigen::AngleAxisd(0.7, Eigen::Vector3d(1, -2, 2).normalized()).toRotationMatrix();
+  const Eigen::Matrix3Xd carried = carryNormals(
+      layer, points, cylinder.normals, (turn * points).colwise() + Eigen::Vector3d::Ones());
+  EXPECT_LT((carried - turn * cylinder.normals).cwiseAbs().maxCoeff(), 1e-12);
 }
 
 TEST(DesignFromBendAngles, RunsFromTheFirstToTheLastStrut) {

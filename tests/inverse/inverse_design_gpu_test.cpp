@@ -48,7 +48,7 @@ TEST_F(InverseDesignTest, AdjointGradientIsThatOfFiniteDifferences) {
   const Adjoint adjoint = solver.solveAdjoint(error.gradient, {.tolerance = 1e-5});
   EXPECT_TRUE(adjoint.converged) << adjoint.residual << " after " << adjoint.products;
   const LateralRest lateral(grid_.shape);
-  const VectorXd gradient = lateral.gradient(grid_, equilibrium.positions, adjoint.lambda);
+  const VectorXd gradient = lateral.gradient(grid_, equilibrium, adjoint.lambda);
 
   const VectorXd rest = lateral.of(grid_);
   constexpr double kStep = 1e-4;
@@ -130,8 +130,9 @@ TEST_F(InverseDesignTest, ShrinkStaysWithinItsBound) {
   const VectorXd printed = lateral.lengthsAt(grid_.positions);
   constexpr double kLimit = 0.12;
   MultigridSolver solver(device_, grid_);
-  InverseDesigner designer(solver, targets,
-                           {.compensateRounds = 2, .optimiseSteps = 6, .shrinkLimit = kLimit});
+  InverseDesigner designer(
+      solver, targets,
+      {.compensateRounds = 2, .optimiseSteps = 6, .shrinkRange = ShrinkRange{0, kLimit}});
   const InverseDesign result = designer.run(first);
   const VectorXd rest = lateral.of(solver.grid());
   EXPECT_GE((rest - (1 - kLimit) * printed).minCoeff(), -1e-12);

@@ -24,14 +24,16 @@ RunRecord fullRecord() {
   record.full->converged = false;
   record.inverse = InverseDesign{{},
                                  {},
-                                 {{InverseStep::Kind::design, 0, 4, 5, 6, 7, 8, 9, 0.5},
-                                  {InverseStep::Kind::compensate, 1, 3, 4, 5, 6, 7, 8, 1.5},
-                                  {InverseStep::Kind::optimise, 1, 2, 3, 4, 5, 6, 7, 2.5}},
+                                 {{InverseStep::Kind::design, 0, 4, 5, 6, 2.5, 7, 8, 9, 0.5},
+                                  {InverseStep::Kind::compensate, 1, 3, 4, 5, 1.5, 6, 7, 8, 1.5},
+                                  {InverseStep::Kind::optimise, 1, 2, 3, 4, 0.5, 5, 6, 7, 2.5}},
                                  "all steps done",
                                  FromFlat{true, 2.25}};
   record.feasibility->cells = {3, 4, -0.5, {5, 6, 2}};
   record.feasibility->selfIntersection = {7, {8, 9, 1}};
   record.feasibility->closeStruts = CloseStruts{0.25, 2, 0.125, {1, 2, 0}};
+  record.sheet = SheetFigures{0.125, 0.5, 1.5, 1000, 20, 3, 0.25, 0.75, 12, 34, 0.375, 7, 0.5};
+  record.strain = StrainFigures{2.5, 0.5, 1};
   record.deviceFailure = "lost";
   record.notices = {"one", "two"};
   return record;

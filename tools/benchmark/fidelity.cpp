@@ -52,11 +52,12 @@ std::vector<FidelityCase> chosenCases(const FidelityOptions& options) {
   return chosen;
 }
 
-FidelityRun runAndTell(const Scene& scene, const FidelityOptions& options) {
+FidelityRun runAndTell(const Scene& scene, const MaterialRequest& bars,
+                       const FidelityOptions& options) {
   fmt::print("{:<16} ", scene.name);
   std::cout.flush();
   FidelityRun run = runForFidelity(scene, options.folder / scene.name,
-                                   {.selection = options.selection, .validation = false});
+                                   {.selection = options.selection, .validation = false}, bars);
   fmt::print("{}\n", describe(run));
   if (interruptRequested()) {
     throw std::runtime_error("interrupted");
@@ -64,31 +65,37 @@ FidelityRun runAndTell(const Scene& scene, const FidelityOptions& options) {
   return run;
 }
 
-FidelityPair compare(const FidelityCase& one, const FidelityOptions& options) {
+FidelityTrio compare(const FidelityCase& one, const FidelityOptions& options) {
+  Scene springs = one.springs();
   Scene ours = one.ours();
   if (options.quick) {
-    ours.design.optimiseSteps = std::min(ours.design.optimiseSteps, kQuickSteps);
+    for (Scene* scene : {&springs, &ours}) {
+      scene->design.optimiseSteps = std::min(scene->design.optimiseSteps, kQuickSteps);
+    }
   }
-  FidelityRun papers = runAndTell(one.papers(), options);
-  return {one.name, one.random, std::move(papers), runAndTell(ours, options)};
+  const MaterialRequest& bars = ours.material;
+  FidelityRun papers = runAndTell(one.papers(), bars, options);
+  FidelityRun inSprings = runAndTell(springs, bars, options);
+  return {one.name, one.random, std::move(papers), std::move(inSprings),
+          runAndTell(ours, bars, options)};
 }
 
-std::filesystem::path pictureOf(const FidelityPair& pair) {
-  return fmt::format("fidelity_{}.png", pair.name);
+std::filesystem::path pictureOf(const FidelityTrio& trio) {
+  return fmt::format("fidelity_{}.png", trio.name);
 }
 
-std::vector<FidelityPair> select(const std::vector<FidelityPair>& pairs, bool random) {
-  std::vector<FidelityPair> selected;
-  std::copy_if(pairs.begin(), pairs.end(), std::back_inserter(selected),
-               [&](const FidelityPair& pair) { return pair.random == random; });
+std::vector<FidelityTrio> select(const std::vector<FidelityTrio>& trios, bool random) {
+  std::vector<FidelityTrio> selected;
+  std::copy_if(trios.begin(), trios.end(), std::back_inserter(selected),
+               [&](const FidelityTrio& trio) { return trio.random == random; });
   return selected;
 }
 
-std::string withTables(std::string document, const std::vector<FidelityPair>& pairs) {
-  const auto scenes = select(pairs, false);
-  const auto random = select(pairs, true);
+std::string withTables(std::string document, const std::vector<FidelityTrio>& trios) {
+  const auto scenes = select(trios, false);
+  const auto random = select(trios, true);
   document = withBlock(document, "device",
-                       fmt::format("Measured on {}.\n", pairs.front().ours.record.device));
+                       fmt::format("Measured on {}.\n", trios.front().ours.record.device));
   document = withBlock(document, "scenes", scenes.empty() ? "" : sceneTable(scenes));
   return withBlock(document, "random patches", random.empty() ? "" : randomTable(random));
 }
@@ -97,18 +104,18 @@ void run(const FidelityOptions& options) {
   installInterruptHandler();
   const Device device({.selection = options.selection, .validation = false});
   const std::string document = readFile(options.document);
-  std::vector<FidelityPair> pairs;
+  std::vector<FidelityTrio> trios;
   for (const FidelityCase& one : chosenCases(options)) {
-    pairs.push_back(compare(one, options));
-    writePng(options.folder / pictureOf(pairs.back()), drawFidelity(device, pairs.back()));
+    trios.push_back(compare(one, options));
+    writePng(options.folder / pictureOf(trios.back()), drawFidelity(device, trios.back()));
   }
   const auto result =
       options.complete() ? options.document : options.folder / options.document.filename();
-  writeFileAtomically(result, withTables(document, pairs));
+  writeFileAtomically(result, withTables(document, trios));
   if (options.complete()) {
-    for (const FidelityPair& pair : select(pairs, false)) {
-      writeFileAtomically(options.document.parent_path() / "images" / pictureOf(pair),
-                          readFile(options.folder / pictureOf(pair)));
+    for (const FidelityTrio& trio : select(trios, false)) {
+      writeFileAtomically(options.document.parent_path() / "images" / pictureOf(trio),
+                          readFile(options.folder / pictureOf(trio)));
     }
   }
   fmt::print("tables in {}, runs and pictures in {}\n", result.string(), options.folder.string());
@@ -118,8 +125,9 @@ void run(const FidelityOptions& options) {
 
 void addFidelityTable(CLI::App& app) {
   const auto options = std::make_shared<FidelityOptions>();
-  CLI::App* command =
-      app.add_subcommand("fidelity", "Sets the paper's design beside ours: how close both come.");
+  CLI::App* command = app.add_subcommand(
+      "fidelity",
+      "Sets the paper's design beside those for the shape: how close they come, as frames.");
   command->add_option("NAME", options->names, "only these: patch, face, random_3, ...");
   command->add_option("--scenes", options->scenes, "folder of the scene files")
       ->capture_default_str();

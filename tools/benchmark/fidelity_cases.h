@@ -8,11 +8,12 @@
 
 namespace morphgrid {
 
-/// A target with two designs. Scenes are loaded when they are asked for.
+/// A target with its designs. Scenes are loaded when they are asked for.
 struct FidelityCase {
   std::string name;
   bool random;  ///< A random patch, not a scene of the paper's.
   std::function<Scene()> papers;
+  std::function<Scene()> springs;
   std::function<Scene()> ours;
 };
 

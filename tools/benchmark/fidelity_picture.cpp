@@ -16,22 +16,26 @@ namespace {
 const auto kInPlace = Eigen::Isometry3d::Identity();
 
 /// Both designs and both targets.
-Eigen::Matrix3Xd allPoints(const FidelityPair& pair) {
-  Eigen::Matrix3Xd points(3, 2 * (pair.papers.middle.cols() + pair.ours.middle.cols()));
-  points << pair.papers.middle, pair.papers.targets, pair.ours.middle, pair.ours.targets;
+Eigen::Matrix3Xd allPoints(const FidelityTrio& trio) {
+  const auto count =
+      trio.papers.middle.cols() + trio.springs.middle.cols() + trio.ours.middle.cols();
+  Eigen::Matrix3Xd points(3, 2 * count);
+  points << trio.papers.middle, trio.papers.targets, trio.springs.middle, trio.springs.targets,
+      trio.ours.middle, trio.ours.targets;
   return points;
 }
 
 /// Draws the panels of a sheet.
 class FidelityPanels {
  public:
-  FidelityPanels(const Device& device, const FidelityPair& pair, SceneSize size)
+  FidelityPanels(const Device& device, const FidelityTrio& trio, SceneSize size)
       : device_(device),
         size_(size),
         camera_(
-            frameAll(allPoints(pair), pair.ours.view.direction, pair.ours.view.up, size.aspect())),
-        largestPercent_(std::max(pair.papers.record.distance->maxPercent,
-                                 pair.ours.record.distance->maxPercent)) {}
+            frameAll(allPoints(trio), trio.ours.view.direction, trio.ours.view.up, size.aspect())),
+        largestPercent_(
+            std::max({trio.papers.frame.asDesigned.max, trio.springs.frame.asDesigned.max,
+                      trio.ours.frame.asDesigned.max})) {}
 
   Panel target(const FidelityRun& run) const {
     const DeviceGrid grid(device_, layerOf(run, run.targets));
@@ -46,8 +50,8 @@ class FidelityPanels {
     const Eigen::VectorXd distances = (run.middle - run.targets).colwise().norm();
     return {drawSurfaceShares(device_, {grid, kInPlace}, distances / largest, {target, kInPlace},
                               camera_, size_.width, size_.height),
-            fmt::format("{}: RMS {:.2g}, max {:.2g} %", whose, run.record.distance->rmsPercent,
-                        run.record.distance->maxPercent),
+            fmt::format("{}: RMS {:.2g}, max {:.2g} %", whose, run.frame.asDesigned.rms,
+                        run.frame.asDesigned.max),
             distanceLegend(largest, largestPercent_)};
   }
 
@@ -64,12 +68,12 @@ class FidelityPanels {
 
 }  // namespace
 
-Image drawFidelity(const Device& device, const FidelityPair& pair) {
+Image drawFidelity(const Device& device, const FidelityTrio& trio) {
   const SheetOptions options{
-      .title = pair.papers.record.title, .panelWidth = 440, .panelHeight = 360};
-  const FidelityPanels panels(device, pair, sceneSize(panelPicture(options)));
-  return composeSheet({panels.target(pair.ours), panels.design("paper's", pair.papers),
-                       panels.design("ours", pair.ours)},
+      .title = trio.papers.record.title, .panelWidth = 440, .panelHeight = 360};
+  const FidelityPanels panels(device, trio, sceneSize(panelPicture(options)));
+  return composeSheet({panels.target(trio.ours), panels.design("paper's", trio.papers),
+                       panels.design("springs'", trio.springs), panels.design("ours", trio.ours)},
                       options);
 }
 

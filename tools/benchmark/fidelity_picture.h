@@ -6,6 +6,6 @@ namespace morphgrid {
 
 /// The target, the paper's design and ours side by side, seen by one camera, in one scale of
 /// colours for the distance.
-Image drawFidelity(const Device& device, const FidelityPair& pair);
+Image drawFidelity(const Device& device, const FidelityTrio& trio);
 
 }  // namespace morphgrid

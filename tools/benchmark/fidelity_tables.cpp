@@ -13,14 +13,8 @@ std::string distances(const FidelityRun& run) {
                      run.record.distance->maxPercent);
 }
 
-std::string closestPoints(const FidelityRun& run) {
-  return fmt::format("{:.3f} / {:.3f}", run.record.distance->closestPointRmsPercent,
-                     run.record.distance->closestPointMaxPercent);
-}
-
-std::string strutErrors(const FidelityRun& run) {
-  const StrutErrors& e = *run.record.errors;
-  return fmt::format("{:.2f} / {:.2f} / {:.2f}", e.l0Percent, e.lbPercent, e.anglePercent);
+std::string percents(const ShapePercent& distance) {
+  return fmt::format("{:.3f} / {:.3f}", distance.rms, distance.max);
 }
 
 std::string shrink(const FidelityRun& run) {
@@ -45,32 +39,25 @@ std::string steps(const FidelityRun& run) {
                      countOf(InverseStep::Kind::optimise));
 }
 
-/// Where a slow morph from the printed sheet ends.
-std::string fromFlat(const FidelityRun& run) {
-  if (!run.record.inverse || !run.record.inverse->fromFlat) {
-    return "";
-  }
-  const FromFlat& end = *run.record.inverse->fromFlat;
-  return end.sameEquilibrium ? "there" : fmt::format("elsewhere: {:.3f}", end.rmsPercent);
-}
-
 std::string goal(const FidelityRun& run) { return meetsGoal(run) ? "met" : "missed"; }
 
 std::string sceneRow(const std::string& name, const char* design, const FidelityRun& run) {
   const GridShape& shape = run.record.grid.shape;
   return fmt::format(
-      "| {} | {} | {} x {} | {} | {} | {} | {} | {} | {:.2f} | {} | {} | {:.1f} | {} |\n", name,
-      design, shape.verticesU - 1, shape.verticesV - 1, distances(run), closestPoints(run),
-      strutErrors(run), shrink(run), impossibleStruts(run), run.record.printScale, steps(run),
-      fromFlat(run), run.record.secondsTotal, goal(run));
+      "| {} | {} | {} x {} | {} | **{}** | {} | {} | {} | {} | {:.1f} | {} | {:.1f} | {} |\n", name,
+      design, shape.verticesU - 1, shape.verticesV - 1, distances(run),
+      percents(run.frame.asDesigned), percents(run.frame.inexact), percents(run.frame.thicker),
+      shrink(run), impossibleStruts(run), run.record.strain->largestPercent, steps(run),
+      run.record.secondsTotal, goal(run));
 }
 
-std::string randomRow(const FidelityPair& pair) {
-  const FidelityRun& ours = pair.ours;
-  return fmt::format("| {} | {} | {} | {} | {} | {} | {:.2f} | {} | {} | {:.1f} | {} |\n",
-                     pair.name, distances(pair.papers), impossibleStruts(pair.papers),
-                     distances(ours), shrink(ours), impossibleStruts(ours), ours.record.printScale,
-                     steps(ours), fromFlat(ours), ours.record.secondsTotal, goal(ours));
+std::string randomRow(const FidelityTrio& trio) {
+  const FidelityRun& ours = trio.ours;
+  return fmt::format("| {} | {} | {} | **{}** | {} | {} | {:.1f} | {} | {:.1f} | {} |\n", trio.name,
+                     percents(trio.papers.frame.asDesigned),
+                     percents(trio.springs.frame.asDesigned), percents(ours.frame.asDesigned),
+                     shrink(ours), impossibleStruts(ours), ours.record.strain->largestPercent,
+                     steps(ours), ours.record.secondsTotal, goal(ours));
 }
 
 double medianOf(std::vector<double> values) {
@@ -79,54 +66,56 @@ double medianOf(std::vector<double> values) {
   return values.size() % 2 == 1 ? values[half] : (values[half - 1] + values[half]) / 2;
 }
 
-std::string medianRow(const std::vector<FidelityPair>& pairs) {
-  const auto median = [&](const std::function<double(const FidelityPair&)>& figure) {
+std::string medianRow(const std::vector<FidelityTrio>& trios) {
+  const auto median = [&](const std::function<double(const FidelityTrio&)>& figure) {
     std::vector<double> values;
-    std::transform(pairs.begin(), pairs.end(), std::back_inserter(values), figure);
+    std::transform(trios.begin(), trios.end(), std::back_inserter(values), figure);
     return medianOf(std::move(values));
   };
-  const auto met = std::count_if(pairs.begin(), pairs.end(),
-                                 [](const FidelityPair& pair) { return meetsGoal(pair.ours); });
-  const auto distance = [](const FidelityRun& run) { return *run.record.distance; };
+  const auto distance = [&](FidelityRun FidelityTrio::*run) {
+    return percents({median([&](const FidelityTrio& t) { return (t.*run).frame.asDesigned.rms; }),
+                     median([&](const FidelityTrio& t) { return (t.*run).frame.asDesigned.max; })});
+  };
+  const auto met = std::count_if(trios.begin(), trios.end(),
+                                 [](const FidelityTrio& trio) { return meetsGoal(trio.ours); });
   return fmt::format(
-      "| median | {:.3f} / {:.3f} | | {:.3f} / {:.3f} | {:.1f} | | {:.2f} | | | {:.1f} | {} of {} "
-      "|\n",
-      median([&](const FidelityPair& p) { return distance(p.papers).rmsPercent; }),
-      median([&](const FidelityPair& p) { return distance(p.papers).maxPercent; }),
-      median([&](const FidelityPair& p) { return distance(p.ours).rmsPercent; }),
-      median([&](const FidelityPair& p) { return distance(p.ours).maxPercent; }),
-      median([](const FidelityPair& p) { return p.ours.record.shrink->largestPercent; }),
-      median([](const FidelityPair& p) { return p.ours.record.printScale; }),
-      median([](const FidelityPair& p) { return p.ours.record.secondsTotal; }), met, pairs.size());
+      "| median | {} | {} | **{}** | {:.1f} | | {:.1f} | | {:.1f} | {} of {} |\n",
+      distance(&FidelityTrio::papers), distance(&FidelityTrio::springs),
+      distance(&FidelityTrio::ours),
+      median([](const FidelityTrio& t) { return t.ours.record.shrink->largestPercent; }),
+      median([](const FidelityTrio& t) { return t.ours.record.strain->largestPercent; }),
+      median([](const FidelityTrio& t) { return t.ours.record.secondsTotal; }), met, trios.size());
 }
 
 }  // namespace
 
-std::string sceneTable(const std::vector<FidelityPair>& pairs) {
+std::string sceneTable(const std::vector<FidelityTrio>& trios) {
   std::string text =
-      "| scene | design | nodes | RMS / max | to closest point | L0 / L_b / angle error | largest "
-      "shrink (allowed) | over / growing | print scale | steps | from flat | seconds | goal |\n"
+      "| scene | design | nodes | in its own model | in the frame | lengths off by 2 % | bars 25 % "
+      "thicker | largest shrink (allowed) | over / growing | strain | steps | seconds | goal |\n"
       "| --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- |\n";
-  for (const FidelityPair& pair : pairs) {
-    text += sceneRow(pair.name, "paper's", pair.papers) + sceneRow("", "ours", pair.ours);
+  for (const FidelityTrio& trio : trios) {
+    text += sceneRow(trio.name, "paper's", trio.papers) + sceneRow("", "springs'", trio.springs) +
+            sceneRow("", "ours", trio.ours);
   }
   return text;
 }
 
-std::string randomTable(const std::vector<FidelityPair>& pairs) {
+std::string randomTable(const std::vector<FidelityTrio>& trios) {
   std::string text =
-      "| patch | paper's: RMS / max | over / growing | ours: RMS / max | largest shrink (allowed) "
-      "| over / growing | print scale | steps | from flat | seconds | goal |\n"
-      "| --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- |\n";
-  for (const FidelityPair& pair : pairs) {
-    text += randomRow(pair);
+      "| patch | paper's | springs' | ours | largest shrink (allowed) | over / growing | strain | "
+      "steps | seconds | goal |\n"
+      "| --- | --- | --- | --- | --- | --- | --- | --- | --- | --- |\n";
+  for (const FidelityTrio& trio : trios) {
+    text += randomRow(trio);
   }
-  return text + medianRow(pairs);
+  return text + medianRow(trios);
 }
 
 std::string describe(const FidelityRun& run) {
-  return fmt::format("RMS / max {} %, shrink {} %, over / growing {}, {:.1f} s", distances(run),
-                     shrink(run), impossibleStruts(run), run.record.secondsTotal);
+  return fmt::format("RMS / max {} %, in the frame {} %, shrink {} %, over / growing {}, {:.1f} s",
+                     distances(run), percents(run.frame.asDesigned), shrink(run),
+                     impossibleStruts(run), run.record.secondsTotal);
 }
 
 }  // namespace morphgrid

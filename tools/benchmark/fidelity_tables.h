@@ -6,11 +6,11 @@
 
 namespace morphgrid {
 
-/// Markdown, two rows a scene: the paper's design and ours.
-std::string sceneTable(const std::vector<FidelityPair>& pairs);
+/// Markdown, three rows a scene: the paper's design, the one for the shape in its model, and ours.
+std::string sceneTable(const std::vector<FidelityTrio>& trios);
 
-/// Markdown, a row per patch and one of medians. pairs: at least one.
-std::string randomTable(const std::vector<FidelityPair>& pairs);
+/// Markdown, a row per patch and one of medians. trios: at least one.
+std::string randomTable(const std::vector<FidelityTrio>& trios);
 
 /// One line for the terminal.
 std::string describe(const FidelityRun& run);
