@@ -14,7 +14,7 @@ namespace {
 
 SolveMemory memoryFor(const GridShape& shape, const Workload& work) {
   if (work.inverseDesign) {
-    return inverseDesignMemory(shape);
+    return inverseDesignMemory(shape, work.isFrame);
   }
   return work.method == Method::jacobi ? jacobiMemory(shape) : multigridMemory(shape, work.isFrame);
 }

@@ -53,7 +53,8 @@ MorphCourse follow(const Scene& scene, const Device& device, const StrutGrid& gr
                    bool quiet) {
   Counter counter("equilibrium", steps, quiet);
   MultigridSolver solver(device, grid);
-  return followMorph(solver, {steps, scene.solve, [&](int step) { counter.tell(step); }});
+  return followMorph(
+      solver, {steps, scene.solve, [&](int step, const Equilibrium&) { counter.tell(step); }});
 }
 
 /// Motions that bring the last shape to `end`, and each other one to the one after it: nothing but

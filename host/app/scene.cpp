@@ -147,7 +147,6 @@ void requireShrinkRange(const Scene& scene) {
   }
 }
 
-/// A frame is not judged by its smallest eigenvalue yet.
 void requireWhatFramesNeed(const Scene& scene) {
   if (scene.material.model != Model::frame) {
     return;
@@ -161,9 +160,8 @@ void requireWhatFramesNeed(const Scene& scene) {
   require(design.layers > 1, "needs grid.layers >= 2, got 1");
   require(scene.method != Method::jacobi,
           "needs solver.method = \"multigrid\" or \"reference\", got \"jacobi\"");
-  require(
-      !scene.smallestEigenvalue,
-      "has no solver.smallest_eigenvalue yet: leave it out, or take material.model = \"paper\"");
+  require(!scene.smallestEigenvalue || scene.method == Method::multigrid,
+          "with solver.smallest_eigenvalue needs solver.method = \"multigrid\"");
 }
 
 Scene readChecked(const std::filesystem::path& file, const std::string& name,

@@ -45,6 +45,7 @@ SceneKeySection materialKeys() {
           {
               {.name = "model",
                .value = wordKey(at(&Scene::material, &Material::model), kModelWords),
+               .knob = KnobOffer{"model"},
                .meaning =
                    "`\"paper\"`: struts are springs, whose corners weigh what `weights` says. "
                    "`\"frame\"`: they are bars welded to joints at the angles at which they were "

@@ -29,6 +29,20 @@ void noteOtherWay(RunRecord& record) {
   }
 }
 
+/// Below it a design is judged to be near buckling; a judgement, not measured.
+constexpr double kSoft = 0.3;
+
+void noteSoftness(RunRecord& record) {
+  const auto& inverse = record.inverse;
+  if (inverse && inverse->fromFlat && inverse->fromFlat->leastStiffness.value_or(1) < kSoft) {
+    record.notices.push_back(fmt::format(
+        "on its way from flat the grid comes close to buckling: its smallest eigenvalue falls to "
+        "{:.2g} of the flat sheet's; lower grid.layer_spacing, or take a material of a wider range "
+        "(material.least_shrinkage, grid.max_shrinkage) or a surface that curves less",
+        *inverse->fromFlat->leastStiffness));
+  }
+}
+
 /// Brings the result to where the target lies; without a target, to where it was printed.
 Eigen::Isometry3d alignResult(const Stage& stage, const std::optional<Eigen::Matrix3Xd>& targets) {
   const Eigen::Matrix3Xd& positions = stage.equilibrium.positions;
@@ -80,6 +94,7 @@ Simulation simulateScene(const Scene& scene, const SceneDesign& designed, RunCon
     if (designed.targets) {
       record.inverse = stages.improve(stage, designed);
       noteOtherWay(record);
+      noteSoftness(record);
     }
     stage.solver.reset();  // Its memory is for pictures now.
     for (const std::string& notice : adviseOnBars(stage.grid, scene.material)) {

@@ -120,8 +120,12 @@ void Stages::assessStability(Stage& stage, Motions motions) {
     return;
   }
   const auto assessBy = [&](const Preconditioner& preconditioner) {
-    stage.equilibrium.smallestEigenvalue = computeSmallestEigenvalue(
-        stage.grid, stage.equilibrium.positions, preconditioner, {.motions = motions});
+    Equilibrium& equilibrium = stage.equilibrium;
+    equilibrium.smallestEigenvalue =
+        stage.grid.bars ? computeSmallestEigenvalue(stage.grid, equilibrium.positions,
+                                                    equilibrium.rotations, preconditioner)
+                        : computeSmallestEigenvalue(stage.grid, equilibrium.positions,
+                                                    preconditioner, {.motions = motions});
   };
   if (scene_.method == Method::reference) {
     assessBy(constantMatrixPreconditioner(stage.grid));

@@ -41,6 +41,9 @@ struct InverseOptions {
 struct FromFlat {
   bool sameEquilibrium;  ///< Whether it is that of the inverse design.
   double rmsPercent;     ///< Distance to the target, see ShapeError.
+  /// Of frames: the smallest eigenvalue (see SmallestEigenvalue), the least over the steps, over
+  /// that of the flat sheet. Near 0 the grid is about to buckle.
+  std::optional<double> leastStiffness;
 };
 
 struct InverseDesign {
@@ -94,6 +97,7 @@ class InverseDesigner {
   void keep();
   bool settle();
   void morphFromFlat();
+  double stiffnessAt(const Equilibrium& equilibrium);
   bool searchLine(const Eigen::VectorXd& direction);
   /// Brings the solver to where the present state is.
   void place();

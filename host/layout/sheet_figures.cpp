@@ -61,47 +61,60 @@ double shareOfRange(const SheetBar& bar, const ShrinkRange& shrink) {
   return wanted * (2 - shrink.least - shrink.most) / (shrink.most - shrink.least);
 }
 
+std::vector<Eigen::Vector2d> chordsOf(const std::vector<SheetBar>& bars, const Sheet& sheet) {
+  std::vector<Eigen::Vector2d> chords;
+  for (const SheetBar& bar : bars) {
+    chords.emplace_back(sheet.positions.col(bar.to) - sheet.positions.col(bar.from));
+  }
+  return chords;
+}
+
+void addScales(const SheetProblem& problem, const std::vector<SheetBar>& bars,
+               const std::vector<Eigen::Vector2d>& chords, SheetFigures& figures) {
+  double least = std::numeric_limits<double>::infinity();
+  double most = 0;
+  std::size_t n = 0;
+  forEachLateralStrut(problem.layer, [&](const Strut& strut) {
+    const double printed = chords[n].norm();
+    const SheetBar& bar = bars[n++];
+    least = std::min(least, bar.chord / printed);
+    most = std::max(most, bar.chord / printed);
+    figures.barsBeyondRange += bar.isBeyondRange ? 1 : 0;
+    for (const LateralField<double>& layer : problem.rest) {
+      const double loss = 1 - layer.at(strut) / printed;
+      const bool fits =
+          loss <= problem.shrink.most + kTolerance && loss >= problem.shrink.least - kTolerance;
+      ++figures.lateralStruts;
+      figures.strutsOutOfRange += fits ? 0 : 1;
+    }
+  });
+  figures.scaleRatio = most / least;
+}
+
+/// The share of the range that all but a few bars stay below.
+double usualShareOfRange(const SheetProblem& problem, const std::vector<SheetBar>& bars) {
+  std::vector<double> shares;
+  for (const SheetBar& bar : bars) shares.push_back(shareOfRange(bar, problem.shrink));
+  const double last = static_cast<double>(shares.size() - 1);
+  const auto usual = shares.begin() + std::lround((1 - kFewOutliers) * last);
+  std::nth_element(shares.begin(), usual, shares.end());
+  return *usual;
+}
+
 }  // namespace
 
 SheetFigures computeSheetFigures(const SheetProblem& problem, const Sheet& sheet,
                                  double layerSpacing) {
   const std::vector<SheetBar> bars = sheetBars(problem);
   const std::vector<SheetCorner> corners = sheetCorners(problem.layer);
+  const std::vector<Eigen::Vector2d> chords = chordsOf(bars, sheet);
   SheetFigures figures{.iterations = sheet.iterations, .seconds = sheet.seconds};
-
-  std::vector<double> headings;
-  double least = std::numeric_limits<double>::infinity();
-  double most = 0;
-  std::vector<double> shares;
-  for (const SheetBar& bar : bars) {
-    const Eigen::Vector2d flat = sheet.positions.col(bar.to) - sheet.positions.col(bar.from);
-    headings.push_back(std::atan2(flat.y(), flat.x()));
-    least = std::min(least, bar.chord / flat.norm());
-    most = std::max(most, bar.chord / flat.norm());
-    shares.push_back(shareOfRange(bar, problem.shrink));
-    figures.barsBeyondRange += bar.isBeyondRange ? 1 : 0;
-  }
-  figures.scaleRatio = most / least;
-  const auto outlier =
-      shares.begin() + std::lround((1 - kFewOutliers) * static_cast<double>(shares.size() - 1));
-  std::nth_element(shares.begin(), outlier, shares.end());
-  figures.fittingLayerSpacing = layerSpacing / *outlier;
-
-  std::size_t n = 0;
-  forEachLateralStrut(problem.layer, [&](const Strut& strut) {
-    const SheetBar& bar = bars[n++];
-    const double printed = (sheet.positions.col(bar.to) - sheet.positions.col(bar.from)).norm();
-    for (const LateralField<double>& layer : problem.rest) {
-      const double loss = 1 - layer.at(strut) / printed;
-      ++figures.lateralStruts;
-      if (loss > problem.shrink.most + kTolerance || loss < problem.shrink.least - kTolerance) {
-        ++figures.strutsOutOfRange;
-      }
-    }
-  });
+  addScales(problem, bars, chords, figures);
+  figures.fittingLayerSpacing = layerSpacing / usualShareOfRange(problem, bars);
 
   const MeanAndLargest angles = overCorners(corners, [&](const SheetCorner& corner) {
-    const double printed = angleBetween(corner, [&](int bar, bool) { return headings[bar]; });
+    const double printed = angleBetween(
+        corner, [&](int bar, bool) { return std::atan2(chords[bar].y(), chords[bar].x()); });
     const double wanted = angleBetween(corner, [&](int bar, bool atFrom) {
       return atFrom ? bars[bar].directionFrom : bars[bar].directionTo;
     });

@@ -156,7 +156,8 @@ InverseStep readStep(const json& s) {
 }
 
 FromFlat readFromFlat(const json& f) {
-  return {f.at("same_equilibrium").get<bool>(), number(f.at("rms_percent"))};
+  return {f.at("same_equilibrium").get<bool>(), number(f.at("rms_percent")),
+          optionally(number, f.value("least_eigenvalue_ratio", json()))};
 }
 
 InverseDesign readInverse(const json& i) {

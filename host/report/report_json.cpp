@@ -53,7 +53,9 @@ ordered_json toJson(const InverseStep& step) {
 }
 
 ordered_json toJson(const FromFlat& fromFlat) {
-  return {{"same_equilibrium", fromFlat.sameEquilibrium}, {"rms_percent", fromFlat.rmsPercent}};
+  return {{"same_equilibrium", fromFlat.sameEquilibrium},
+          {"rms_percent", fromFlat.rmsPercent},
+          {"least_eigenvalue_ratio", number(fromFlat.leastStiffness)}};
 }
 
 ordered_json toJson(const InverseDesign& inverse) {

@@ -33,7 +33,7 @@ MorphCourse followMorph(MultigridSolver& solver, const MorphOptions& options) {
     course.unconverged += course.end.converged ? 0 : 1;
     course.positions.push_back(course.end.positions);
     if (options.onStep) {
-      options.onStep(step);
+      options.onStep(step, course.end);
     }
   }
   solver.setRest(grid.rest);

@@ -9,8 +9,8 @@ namespace morphgrid {
 struct MorphOptions {
   int steps = 48;      ///< >= 1
   SolveOptions solve;  ///< For the last step; those before it are solved less tightly.
-  /// Called after each step, from 1 on; may be empty.
-  std::function<void(int step)> onStep;
+  /// Called after each step, from 1 on, with where it ended; may be empty.
+  std::function<void(int step, const Equilibrium& at)> onStep;
 };
 
 /// How a grid gets from where it was printed to where it comes to rest.

@@ -8,6 +8,7 @@
 #include "core/error.h"
 #include "core/interrupt.h"
 #include "energy/exact_hessian.h"
+#include "energy/grid_energy.h"
 #include "energy/strut_energy.h"
 
 namespace morphgrid {
@@ -75,22 +76,61 @@ MatrixXd rigidMotions(const Matrix3Xd& positions, Motions motions) {
   return orthonormalised(basis(Eigen::all, columns), MatrixXd(basis.rows(), 0));
 }
 
+/// Of a frame: displacements in spacings, then turns.
+MatrixXd rigidMotionsOfFrame(const Matrix3Xd& positions, double spacing) {
+  const Matrix3Xd centred = (positions.colwise() - positions.rowwise().mean()) / spacing;
+  const Index count = positions.cols();
+  MatrixXd basis = MatrixXd::Zero(6 * count, 6);
+  for (int axis = 0; axis < 3; ++axis) {
+    const Eigen::Vector3d unit = Eigen::Vector3d::Unit(axis);
+    basis.col(axis).head(3 * count) = unit.replicate(count, 1);
+    basis.col(3 + axis).head(3 * count) = -flattened(centred.colwise().cross(unit));
+    basis.col(3 + axis).tail(3 * count) = unit.replicate(count, 1);
+  }
+  return orthonormalised(basis, MatrixXd(basis.rows(), 0));
+}
+
+/// H of a frame in its unknowns as above, over the mean stiffness.
+class FrameOperator {
+ public:
+  FrameOperator(const StrutGrid& grid, const Matrix3Xd& positions, const JointRotations& rotations)
+      : spacing_(grid.spacing),
+        stiffness_(GridEnergy(grid).meanStiffness()),
+        lower_(FrameEnergy(grid).hessian(positions, rotations, FrameEnergy::Definiteness::exact)) {}
+
+  Matrix3Xd operator()(const Matrix3Xd& motion) const {
+    const Index count = motion.cols() / 2;
+    Matrix3Xd joined(3, motion.cols());  // The unknowns of a joint together.
+    joined(Eigen::all, Eigen::seqN(0, count, 2)) = spacing_ * motion.leftCols(count);
+    joined(Eigen::all, Eigen::seqN(1, count, 2)) = motion.rightCols(count);
+    const VectorXd product = lower_.selfadjointView<Eigen::Lower>() * flattened(joined);
+    const Matrix3Xd images = unflattened(product) / (stiffness_ * spacing_ * spacing_);
+    Matrix3Xd result(3, motion.cols());
+    result.leftCols(count) = spacing_ * images(Eigen::all, Eigen::seqN(0, count, 2));
+    result.rightCols(count) = images(Eigen::all, Eigen::seqN(1, count, 2));
+    return result;
+  }
+
+ private:
+  double spacing_;
+  double stiffness_;
+  Eigen::SparseMatrix<double> lower_;
+};
+
 /// H over the mean stiffness, and its preconditioner, on motions that are allowed.
 class Problem {
  public:
-  Problem(const StrutGrid& grid, const Matrix3Xd& positions, const Preconditioner& preconditioner,
-          Motions motions)
-      : energy_(grid),
-        hessian_(grid, positions),
+  using Operator = std::function<Matrix3Xd(const Matrix3Xd&)>;
+
+  Problem(Operator hessian, const Preconditioner& preconditioner, MatrixXd rigid, Motions motions)
+      : hessian_(std::move(hessian)),
         preconditioner_(preconditioner),
         motions_(motions),
-        rigid_(rigidMotions(positions, motions)) {}
+        rigid_(std::move(rigid)) {}
 
-  MatrixXd images(const MatrixXd& z) const {
-    return apply(z, [&](const Matrix3Xd& motion) {
-      return Matrix3Xd(hessian_.product(motion) / energy_.meanStiffness());
-    });
-  }
+  Index size() const { return rigid_.rows(); }
+
+  MatrixXd images(const MatrixXd& z) const { return apply(z, hessian_); }
 
   /// New motions in the directions of the preconditioned `right`, orthonormal to all others.
   MatrixXd newMotions(const MatrixXd& right, const MatrixXd& known) const {
@@ -100,7 +140,6 @@ class Problem {
   }
 
  private:
-  template <typename Operator>
   MatrixXd apply(const MatrixXd& vectors, const Operator& operate) const {
     MatrixXd results(vectors.rows(), vectors.cols());
     for (Index n = 0; n < vectors.cols(); ++n) {
@@ -113,8 +152,7 @@ class Problem {
     return results;
   }
 
-  StrutEnergy energy_;
-  ExactHessian hessian_;
+  Operator hessian_;
   const Preconditioner& preconditioner_;
   Motions motions_;
   MatrixXd rigid_;
@@ -151,6 +189,35 @@ MatrixXd randomMotions(Index size) {
   return MatrixXd::NullaryExpr(size, kBlock, [&] { return value(random); });
 }
 
+SmallestEigenvalue search(const Problem& problem, const EigenvalueOptions& options) {
+  const auto start = Clock::now();
+  const Index size = problem.size();
+  Subspace s{MatrixXd(size, 0), MatrixXd(size, 0), VectorXd(0)};
+  const MatrixXd first = problem.newMotions(randomMotions(size), s.motions);
+  if (first.cols() == 0) {
+    throw DeviceError("the preconditioner of the eigenvalue search left the range of numbers");
+  }
+  s = improved(extended(s, first, problem), 0);
+
+  SmallestEigenvalue result;
+  for (;; ++result.iterations) {
+    const Index count = s.eigenvalues.size();
+    const MatrixXd residuals =
+        s.images.leftCols(count) - s.motions.leftCols(count) * s.eigenvalues.asDiagonal();
+    result.value = s.eigenvalues[0];
+    result.residual = residuals.col(0).norm();
+    result.converged =
+        result.residual <= std::max(options.tolerance * std::abs(result.value), kRounding);
+    if (result.converged || result.iterations >= options.iterationLimit || interruptRequested()) {
+      break;
+    }
+    s = improved(extended(s, problem.newMotions(residuals, s.motions), problem), count);
+  }
+  result.motion = unflattened(s.motions.col(0));
+  result.seconds = std::chrono::duration<double>(Clock::now() - start).count();
+  return result;
+}
+
 }  // namespace
 
 Verdict verdictOf(const SmallestEigenvalue& eigenvalue) {
@@ -176,33 +243,21 @@ std::string toString(Verdict verdict) {
 SmallestEigenvalue computeSmallestEigenvalue(const StrutGrid& grid, const Matrix3Xd& positions,
                                              const Preconditioner& preconditioner,
                                              const EigenvalueOptions& options) {
-  const auto start = Clock::now();
-  const Problem problem(grid, positions, preconditioner, options.motions);
-  const Index size = positions.size();
-  Subspace s{MatrixXd(size, 0), MatrixXd(size, 0), VectorXd(0)};
-  const MatrixXd first = problem.newMotions(randomMotions(size), s.motions);
-  if (first.cols() == 0) {
-    throw DeviceError("the preconditioner of the eigenvalue search left the range of numbers");
-  }
-  s = improved(extended(s, first, problem), 0);
+  const ExactHessian hessian(grid, positions);
+  const double stiffness = StrutEnergy(grid).meanStiffness();
+  return search(
+      Problem([&](const Matrix3Xd& z) { return Matrix3Xd(hessian.product(z) / stiffness); },
+              preconditioner, rigidMotions(positions, options.motions), options.motions),
+      options);
+}
 
-  SmallestEigenvalue result;
-  for (;; ++result.iterations) {
-    const Index count = s.eigenvalues.size();
-    const MatrixXd residuals =
-        s.images.leftCols(count) - s.motions.leftCols(count) * s.eigenvalues.asDiagonal();
-    result.value = s.eigenvalues[0];
-    result.residual = residuals.col(0).norm();
-    result.converged =
-        result.residual <= std::max(options.tolerance * std::abs(result.value), kRounding);
-    if (result.converged || result.iterations >= options.iterationLimit || interruptRequested()) {
-      break;
-    }
-    s = improved(extended(s, problem.newMotions(residuals, s.motions), problem), count);
-  }
-  result.motion = unflattened(s.motions.col(0));
-  result.seconds = std::chrono::duration<double>(Clock::now() - start).count();
-  return result;
+SmallestEigenvalue computeSmallestEigenvalue(const StrutGrid& grid, const Matrix3Xd& positions,
+                                             const JointRotations& rotations,
+                                             const Preconditioner& preconditioner,
+                                             const EigenvalueOptions& options) {
+  return search(Problem(FrameOperator(grid, positions, rotations), preconditioner,
+                        rigidMotionsOfFrame(positions, grid.spacing), Motions::inSpace),
+                options);
 }
 
 }  // namespace morphgrid

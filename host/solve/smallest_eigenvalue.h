@@ -2,12 +2,14 @@
 #include <functional>
 #include <string>
 
+#include "grid/joint_rotations.h"
 #include "grid/strut_grid.h"
 
 namespace morphgrid {
 
-/// About the inverse of a grid's Hessian, times a vector: 3 x vertexCount in and out. Symmetric and
-/// positive semidefinite; its unit is of no account.
+/// About the inverse of a grid's Hessian, times a vector: 3 x vertexCount in and out, of a frame 3
+/// x 2 vertexCount, displacements in spacings, then turns. Symmetric and positive semidefinite; its
+/// unit is of no account.
 using Preconditioner = std::function<Eigen::Matrix3Xd(const Eigen::Matrix3Xd&)>;
 
 /// Where a grid may move to.
@@ -24,14 +26,15 @@ struct EigenvalueOptions {
 
 /// The smallest eigenvalue of the exact Hessian of the energy beyond the rigid motions, over the
 /// mean stiffness (see StrutEnergy::residual()): twice the energy, in stiffness x spacing^2, that a
-/// motion costs whose squared lengths, in spacings, add up to 1. Independent of units.
+/// motion costs whose squared lengths, in spacings, and turns, in radians, add up to 1. Independent
+/// of units.
 struct SmallestEigenvalue {
   double value = 0;     ///< Rayleigh quotient of `motion`: the smallest eigenvalue is no larger.
   double residual = 0;  ///< |H z - value z|: an eigenvalue lies within it of the value.
   long iterations = 0;
   bool converged = false;
   double seconds = 0;
-  Eigen::Matrix3Xd motion;  ///< z, 3 x vertexCount, of norm 1.
+  Eigen::Matrix3Xd motion;  ///< z, 3 x vertexCount, of a frame 3 x 2 vertexCount, of norm 1.
 };
 
 /// What an eigenvalue says about an equilibrium.
@@ -52,6 +55,13 @@ std::string toString(Verdict verdict);
 /// preconditioner gives no numbers.
 SmallestEigenvalue computeSmallestEigenvalue(const StrutGrid& grid,
                                              const Eigen::Matrix3Xd& positions,
+                                             const Preconditioner& preconditioner,
+                                             const EigenvalueOptions& options = {});
+
+/// The same of a frame, whose joints have turned; in space.
+SmallestEigenvalue computeSmallestEigenvalue(const StrutGrid& grid,
+                                             const Eigen::Matrix3Xd& positions,
+                                             const JointRotations& rotations,
                                              const Preconditioner& preconditioner,
                                              const EigenvalueOptions& options = {});
 

@@ -62,9 +62,9 @@ SolveMemory multigridMemory(const GridShape& shape, bool isFrame) {
           kTexel * std::max(vertices(shape), partTexels(std::min(shape.verticesV, kChunkRows)))};
 }
 
-SolveMemory inverseDesignMemory(const GridShape& shape) {
-  SolveMemory memory = multigridMemory(shape);
-  memory.device += kTexel * kAdjointTexels * vertices(shape);
+SolveMemory inverseDesignMemory(const GridShape& shape, bool isFrame) {
+  SolveMemory memory = multigridMemory(shape, isFrame);
+  memory.device += kTexel * kAdjointTexels * (isFrame ? 2 : 1) * vertices(shape);
   memory.host += kInverseHostBytesPerVertex * vertices(shape);
   return memory;
 }

@@ -18,7 +18,7 @@ struct SolveMemory {
 SolveMemory multigridMemory(const GridShape& shape, bool isFrame = false);
 
 /// MultigridSolver with adjoints, and what inverse design keeps on the host, with checkpoints.
-SolveMemory inverseDesignMemory(const GridShape& shape);
+SolveMemory inverseDesignMemory(const GridShape& shape, bool isFrame = false);
 
 /// A stage of JacobiSolver, with checkpoints.
 SolveMemory jacobiMemory(const GridShape& shape);

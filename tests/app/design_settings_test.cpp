@@ -64,8 +64,9 @@ TEST(MaterialSettings, AFrameGoesWithWhatIsThereForIt) {
   EXPECT_THAT(problems("solver.method=jacobi"),
               HasSubstr("needs solver.method = \"multigrid\" or \"reference\", got \"jacobi\""));
   EXPECT_THAT(problems("grid.layers=1"), HasSubstr("needs grid.layers >= 2, got 1"));
-  EXPECT_THAT(problems("solver.smallest_eigenvalue=true"),
-              HasSubstr("has no solver.smallest_eigenvalue yet"));
+  EXPECT_THAT(files.problems({"material.model=frame", "solver.smallest_eigenvalue=true",
+                              "solver.method=reference"}),
+              HasSubstr("needs solver.method = \"multigrid\""));
   EXPECT_THAT(problems("material.poisson=0.5"), HasSubstr("material.poisson must be"));
   EXPECT_THAT(problems("material.bar_width=0"),
               HasSubstr("material.bar_width must be a number > 0"));

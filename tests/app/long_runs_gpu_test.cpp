@@ -129,8 +129,11 @@ class InverseDesignRun : public LongRun {
     arguments.insert(arguments.end(), more.begin(), more.end());
     return arguments;
   }
-  std::vector<std::string> keepingCheckpoints(const std::string& name) const {
-    return design(name, {"--quiet", "--checkpoint", checkpoint(), "--checkpoint-minutes", "1e-9"});
+  std::vector<std::string> keepingCheckpoints(const std::string& name,
+                                              std::vector<std::string> more = {}) const {
+    more.insert(more.end(),
+                {"--quiet", "--checkpoint", checkpoint(), "--checkpoint-minutes", "1e-9"});
+    return design(name, more);
   }
   bool hasSteps(std::size_t count) const {
     if (!std::filesystem::exists(checkpoint())) {
@@ -174,6 +177,30 @@ TEST_F(InverseDesignRun, GoesOnAfterAKill) {
       runMorphgrid(design("resumed", {"--quiet", "--resume", checkpoint(), "--validate"}));
   ASSERT_EQ(resumed.exitCode, 0) << resumed.output;
   expectSameEnd(report("resumed"), report("whole"), before);
+}
+
+// With the rotations of its joints, and the aim that it had come to.
+TEST_F(InverseDesignRun, OfAFrameGoesOnAfterAKill) {
+  const std::vector<std::string> frame{"--set", "material.model=frame",
+                                       "--set", "design.net=isoline",
+                                       "--set", "design.optimise=12"};
+  const ProcessResult killed = runMorphgridUntil([&](const std::string&) { return hasSteps(3); },
+                                                 keepingCheckpoints("killed", frame), SIGKILL);
+  ASSERT_EQ(killed.exitCode, 128 + 9) << killed.output;
+  const InverseCheckpoint before = *readCheckpoint(checkpoint()).inverse;
+  EXPECT_GT(before.present.equilibrium.rotations.cols(), 0);
+  EXPECT_GT(before.aim.cols(), 0);
+  std::vector<std::string> resuming = frame;
+  resuming.insert(resuming.end(), {"--quiet", "--resume", checkpoint(), "--validate"});
+  const ProcessResult resumed = runMorphgrid(design("resumed", resuming));
+  ASSERT_EQ(resumed.exitCode, 0) << resumed.output;
+  const auto& steps = report("resumed")["inverse_design"]["steps"];
+  ASSERT_GT(steps.size(), before.steps.size());
+  for (std::size_t n = 0; n < before.steps.size(); ++n) {
+    EXPECT_NEAR(rmsOf(steps[n]), before.steps[n].rmsPercent, 1e-9);
+  }
+  EXPECT_LT(rmsOf(steps.back()), before.steps.back().rmsPercent);
+  EXPECT_LT(rmsOf(steps.back()), 0.02);
 }
 
 TEST_F(InverseDesignRun, InterruptedKeepsWhatIsThereAndGoesOn) {

@@ -38,8 +38,8 @@ TEST_F(Morph, EndsWhereTheGridRests) {
   const StrutGrid grid = bentGrid({9, 7, 3}, 3);
   std::vector<int> told;
   MultigridSolver solver(device_, grid);
-  const MorphCourse course =
-      followMorph(solver, {.steps = 3, .onStep = [&](int step) { told.push_back(step); }});
+  const MorphCourse course = followMorph(
+      solver, {.steps = 3, .onStep = [&](int step, const Equilibrium&) { told.push_back(step); }});
   const Equilibrium direct = solver.solve({});
   EXPECT_NEAR(course.end.energy, direct.energy, 1e-6 * direct.energy);
   EXPECT_THAT(told, testing::ElementsAre(1, 2, 3));

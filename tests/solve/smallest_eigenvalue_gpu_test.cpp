@@ -1,7 +1,13 @@
 #include "solve/smallest_eigenvalue.h"
 
+#include <Eigen/Eigenvalues>
+#include <cmath>
+
+#include "energy/grid_energy.h"
+#include "solve/frame_solver.h"
 #include "solve/preconditioners.h"
 #include "tests/solve/dense_eigenvalue.h"
+#include "tests/solve/frame_grids.h"
 #include "tests/solve/reference_problem.h"
 #include "tests/solve/sample_grids.h"
 #include "tests/support/validated_device.h"
@@ -32,6 +38,31 @@ TEST_F(SmallestEigenvalueByMultigrid, AgreesWithTheDenseOne) {
   const StrutGrid flat = atRest(bentGrid({6, 4, 1}, 8));
   EXPECT_NEAR(compute(flat, inPlane).value / denseSmallestEigenvalue(flat, inPlane.motions), 1,
               1e-5);
+}
+
+// Of all eigenvalues the seventh: six rigid motions cost nothing.
+TEST_F(SmallestEigenvalueByMultigrid, OfAFrameAgreesWithTheDenseOne) {
+  StrutGrid grid = welded(bentGrid({4, 5, 3}, 8), {.width = 0.25, .height = 0.15, .joint = 0.05});
+  grid.spacing = 1.25;
+  const Equilibrium rest = solveFrame(grid, {.tolerance = 1e-12});
+  DeviceGrid deviceGrid(device_, grid);
+  deviceGrid.uploadPositions(rest.positions, rest.rotations);
+  const SmallestEigenvalue found =
+      computeSmallestEigenvalue(grid, rest.positions, rest.rotations,
+                                vCyclePreconditioner(device_, deviceGrid), {.tolerance = 1e-4});
+  EXPECT_TRUE(found.converged);
+
+  Eigen::MatrixXd dense =
+      FrameEnergy(grid).hessian(rest.positions, rest.rotations, FrameEnergy::Definiteness::exact);
+  dense.triangularView<Eigen::StrictlyUpper>() = dense.transpose();
+  Eigen::VectorXd scale = Eigen::VectorXd::Ones(dense.rows());
+  for (Eigen::Index n = 0; n < scale.size(); n += 6) scale.segment<3>(n).setConstant(grid.spacing);
+  dense = scale.asDiagonal() * dense * scale.asDiagonal();
+  dense /= GridEnergy(grid).meanStiffness() * grid.spacing * grid.spacing;
+  const Eigen::VectorXd all =
+      Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(dense, Eigen::EigenvaluesOnly).eigenvalues();
+  EXPECT_LT(std::abs(all[5]), 1e-6 * all[6]);
+  EXPECT_NEAR(found.value / all[6], 1, 1e-3);
 }
 
 TEST_F(SmallestEigenvalueByMultigrid, TakesFewIterations) {

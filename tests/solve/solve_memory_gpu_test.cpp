@@ -32,6 +32,14 @@ TEST_P(SolveMemoryOf, OfAFrameIsWhatItTakes) {
   EXPECT_NEAR(peak() / multigridMemory(grid.shape, true).device, 1, 0.15);
 }
 
+TEST_P(SolveMemoryOf, InverseDesignOfAFrameToo) {
+  const StrutGrid grid = welded(bentGrid(GetParam(), 5), {.width = 0.2, .height = 0.2});
+  MultigridSolver solver(device_, grid);
+  solver.solve({.iterationLimit = 1, .startsNear = true});
+  solver.solveAdjoint(Eigen::Matrix3Xd::Random(3, grid.shape.vertexCount()), {.productLimit = 1});
+  EXPECT_NEAR(peak() / inverseDesignMemory(grid.shape, true).device, 1, 0.15);
+}
+
 TEST_P(SolveMemoryOf, InverseDesignIsWhatAdjointsTakeBesides) {
   const StrutGrid grid = bentGrid(GetParam(), 5);
   MultigridSolver solver(device_, grid);

@@ -70,7 +70,7 @@ class FidelityPanels {
 
 Image drawFidelity(const Device& device, const FidelityTrio& trio) {
   const SheetOptions options{
-      .title = trio.papers.record.title, .panelWidth = 440, .panelHeight = 360};
+      .title = trio.papers.record.title, .columns = 2, .panelWidth = 440, .panelHeight = 360};
   const FidelityPanels panels(device, trio, sceneSize(panelPicture(options)));
   return composeSheet({panels.target(trio.ours), panels.design("paper's", trio.papers),
                        panels.design("springs'", trio.springs), panels.design("ours", trio.ours)},
