@@ -194,7 +194,8 @@ TEST_F(InverseDesignRun, OfAFrameGoesOnAfterAKill) {
   resuming.insert(resuming.end(), {"--quiet", "--resume", checkpoint(), "--validate"});
   const ProcessResult resumed = runMorphgrid(design("resumed", resuming));
   ASSERT_EQ(resumed.exitCode, 0) << resumed.output;
-  const auto& steps = report("resumed")["inverse_design"]["steps"];
+  const auto after = report("resumed");
+  const auto& steps = after["inverse_design"]["steps"];
   ASSERT_GT(steps.size(), before.steps.size());
   for (std::size_t n = 0; n < before.steps.size(); ++n) {
     EXPECT_NEAR(rmsOf(steps[n]), before.steps[n].rmsPercent, 1e-9);

@@ -170,7 +170,7 @@ TEST_F(ViewerWindow, DrawsStrutsInTheStyleThatTheUserChooses) {
 TEST_F(ViewerWindow, TurnsAKnobSavesTheSceneAndUndoes) {
   const auto viewer = start();
   focus("^Dome, warped: at rest");
-  desktop_.click(190, 353);  // The "+" of the layers.
+  desktop_.click(190, 378);  // The "+" of the layers.
   desktop_.awaitWindow("^Dome, (in-plane|warped): (in plane|full)");
   EXPECT_NE(desktop_.awaitWindow("^Dome, warped: at rest"), "");
   desktop_.press("ctrl+s");
