@@ -65,8 +65,8 @@ LaidSheet layOut(const SurfaceMeasurement& measurement, const Eigen::Matrix3Xd& 
                              .rest = design.rest,
                              .shrink = shrink};
   Sheet sheet = layConformally(problem, cancellation);
-  SheetFigures figures = computeSheetFigures(problem, sheet, design.layerSpacing);
-  return {std::move(sheet), std::move(figures)};
+  const SheetFigures figures = computeSheetFigures(problem, sheet, design.layerSpacing);
+  return {std::move(sheet), figures};
 }
 
 SceneDesign designFor(const Scene& scene, const std::shared_ptr<const Target>& target,

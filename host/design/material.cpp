@@ -43,24 +43,25 @@ void weld(StrutGrid& grid, const MaterialRequest& material) {
   if (material.model != Model::frame) {
     return;
   }
-  const auto [width, height, post, joint] = barSizesOf(material, meanOfLateral(grid, grid.rest));
-  if (2 * joint >= shortestRest(grid)) {
+  const BarSizes sizes = barSizesOf(material, meanOfLateral(grid, grid.rest));
+  if (2 * sizes.joint >= shortestRest(grid)) {
     throw InputError(fmt::format(
         "material.joint_radius must be less than half of the shortest strut, {:.3g}, got {:.3g}: "
         "lower it or material.bar_width",
-        shortestRest(grid) / 2, joint));
+        shortestRest(grid) / 2, sizes.joint));
   }
-  const double modulus =
-      2 * meanOfLateral(grid, grid.stiffness) * meanOfLateral(grid, grid.rest) / (width * height);
+  const double modulus = 2 * meanOfLateral(grid, grid.stiffness) * meanOfLateral(grid, grid.rest) /
+                         (sizes.width * sizes.height);
   const auto section = [&](double across, double high) {
     return rectangularSection({.width = across,
                                .height = high,
                                .poisson = material.poisson,
-                               .joint = joint,
+                               .joint = sizes.joint,
                                .isShearing = false},
                               modulus);
   };
-  grid.bars = Bars{section(width, height), section(post, post), grid.positions};
+  grid.bars =
+      Bars{section(sizes.width, sizes.height), section(sizes.post, sizes.post), grid.positions};
 }
 
 std::vector<std::string> adviseOnBars(const StrutGrid& grid, const MaterialRequest& material) {
@@ -68,7 +69,9 @@ std::vector<std::string> adviseOnBars(const StrutGrid& grid, const MaterialReque
   if (material.model != Model::frame) {
     return notices;
   }
-  const auto [width, height, post, joint] = barSizesOf(material, meanOfLateral(grid, grid.rest));
+  const BarSizes sizes = barSizesOf(material, meanOfLateral(grid, grid.rest));
+  const double width = sizes.width;
+  const double height = sizes.height;
   const double layerSpacing = grid.shape.layers > 1 ? grid.rest.w.front() : 0;
   if (grid.shape.layers > 1 && height > layerSpacing) {
     notices.push_back(fmt::format(

@@ -128,7 +128,7 @@ class SheetSearch {
     return false;
   }
 
- public:
+ private:
   double searchLine(const VectorXd& direction, double longest) {
     double length = longest;
     for (int attempt = 0; attempt < kLineSearchSteps; ++attempt, length /= 2) {

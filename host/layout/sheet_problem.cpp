@@ -49,7 +49,8 @@ double wrapped(double angle) {
 
 std::vector<SheetBar> sheetBars(const SheetProblem& problem) {
   const TangentPlanes planes(problem);
-  const auto [least, most] = problem.shrink;
+  const double least = problem.shrink.least;
+  const double most = problem.shrink.most;
   const double margin = std::min(kMargin, kMarginShare * (most - least));
   std::vector<SheetBar> bars;
   bars.reserve(problem.layer.lateralStrutCount());
