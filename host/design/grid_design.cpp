@@ -95,9 +95,10 @@ void requireStruts(const SurfaceMeasurement& measurement, const Eigen::Matrix3Xd
       stack.spacing * smallest / outermost, stack.spacing));
 }
 
-/// Central differences, one-sided at the edges.
-Eigen::Matrix3Xd differenceNormals(const GridShape& layer, const Eigen::Matrix3Xd& points) {
-  Eigen::Matrix3Xd normals(3, points.cols());
+/// Along u, across it, and the normal, at each vertex: by central differences, one-sided at the
+/// edges.
+std::vector<Eigen::Matrix3d> localAxes(const GridShape& layer, const Eigen::Matrix3Xd& points) {
+  std::vector<Eigen::Matrix3d> axes(points.cols());
   forEachVertex(layer, [&](const GridPlace& place) {
     const auto point = [&](int i, int j) {
       return points.col(
@@ -105,9 +106,12 @@ Eigen::Matrix3Xd differenceNormals(const GridShape& layer, const Eigen::Matrix3X
     };
     const Eigen::Vector3d u = point(place.i + 1, place.j) - point(place.i - 1, place.j);
     const Eigen::Vector3d v = point(place.i, place.j + 1) - point(place.i, place.j - 1);
-    normals.col(layer.index(place)) = u.cross(v).normalized();
+    Eigen::Matrix3d& here = axes[layer.index(place)];
+    here.col(0) = u.normalized();
+    here.col(2) = u.cross(v).normalized();
+    here.col(1) = here.col(2).cross(here.col(0));
   });
-  return normals;
+  return axes;
 }
 
 }  // namespace
@@ -189,12 +193,11 @@ GridDesign designOnOffsets(const SurfaceMeasurement& measurement, const Eigen::M
 
 Eigen::Matrix3Xd carryNormals(const GridShape& layer, const Eigen::Matrix3Xd& before,
                               const Eigen::Matrix3Xd& normals, const Eigen::Matrix3Xd& after) {
-  const Eigen::Matrix3Xd from = differenceNormals(layer, before);
-  const Eigen::Matrix3Xd to = differenceNormals(layer, after);
+  const std::vector<Eigen::Matrix3d> from = localAxes(layer, before);
+  const std::vector<Eigen::Matrix3d> to = localAxes(layer, after);
   Eigen::Matrix3Xd carried(3, normals.cols());
   for (Eigen::Index n = 0; n < normals.cols(); ++n) {
-    const auto turn = Eigen::Quaterniond::FromTwoVectors(from.col(n), to.col(n));
-    carried.col(n) = turn * Eigen::Vector3d(normals.col(n));
+    carried.col(n) = to[n] * (from[n].transpose() * normals.col(n));
   }
   return carried;
 }

@@ -50,8 +50,8 @@ std::vector<LateralField<double>> lengthsOnOffsets(const GridShape& layer,
 GridDesign designOnOffsets(const SurfaceMeasurement& measurement, const Eigen::Matrix3Xd& normals,
                            const LayerStack& stack);
 
-/// Normals of a net whose points have moved: those of before, turned at each vertex as the net's
-/// normals by central differences have. All 3 x layerVertexCount.
+/// Normals of a net whose points have moved: those of before, turned at each vertex as the net
+/// has. All 3 x layerVertexCount.
 Eigen::Matrix3Xd carryNormals(const GridShape& layer, const Eigen::Matrix3Xd& before,
                               const Eigen::Matrix3Xd& normals, const Eigen::Matrix3Xd& after);
 

@@ -5,13 +5,10 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 #include "core/bounding_diagonal.h"
 #include "inverse/aim_correction.h"
-#include "solve/loaded_rest.h"
-#include "solve/morph_course.h"
 
 namespace morphgrid {
 namespace {
@@ -39,12 +36,6 @@ constexpr double kStrainMargin = 0.9;
 constexpr double kCloseEnough = 0.005;
 // So many times the objective: the grid has left for another equilibrium.
 constexpr double kGaveWay = 1.1;
-// Steps of the slow morph from flat.
-constexpr int kMorphSteps = 4;
-// Of what is told as a ratio.
-constexpr double kEigenvalueTolerance = 0.1;
-// Relative: equilibria whose energies differ by more are not the same.
-constexpr double kSameEnergy = 1e-5;
 // No longer falls: the objective, over so many steps, by less than this share.
 constexpr std::size_t kPatience = 6;
 constexpr double kLeastFall = 0.02;
@@ -197,43 +188,11 @@ bool InverseDesigner::settle() {
   return true;
 }
 
-/// What is printed starts flat, not at the last design's equilibrium.
 void InverseDesigner::morphFromFlat() {
   if (options_.onCheckFromFlat) {
     options_.onCheckFromFlat();
   }
-  const StrutGrid& grid = solver_.grid();
-  MorphOptions morph{.steps = kMorphSteps, .solve = toTheEnd_};
-  morph.solve.onProgress = nullptr;
-  morph.solve.onGrid = nullptr;
-  double flat = 0;
-  double least = std::numeric_limits<double>::infinity();
-  if (grid.bars) {
-    solver_.setRest(loadedRest(grid, 0));
-    solver_.moveTo(grid.positions);
-    flat = stiffnessAt(
-        {.positions = grid.positions, .rotations = unturnedJoints(grid.shape.vertexCount())});
-    solver_.setRest(result_.rest);
-    morph.onStep = [&](int, const Equilibrium& at) { least = std::min(least, stiffnessAt(at)); };
-  }
-  const Equilibrium end = followMorph(solver_, morph).end;
-  if (options_.solve.stopRequested()) {
-    return;
-  }
-  const double energy = kept_.equilibrium.energy;
-  result_.fromFlat =
-      FromFlat{.sameEquilibrium = std::abs(end.energy - energy) <= kSameEnergy * energy,
-               .rmsPercent = computeShapeError(grid.shape, end.positions, targets_).rmsPercent};
-  if (flat > 0) {
-    result_.fromFlat->leastStiffness = least / flat;
-  }
-}
-
-/// Where the solver's grid of bars is at rest.
-double InverseDesigner::stiffnessAt(const Equilibrium& equilibrium) {
-  return computeSmallestEigenvalue(solver_.grid(), equilibrium.positions, equilibrium.rotations,
-                                   solver_.preconditioner(), {.tolerance = kEigenvalueTolerance})
-      .value;
+  result_.fromFlat = checkFromFlat(solver_, kept_.equilibrium, targets_, toTheEnd_);
 }
 
 void InverseDesigner::moveTo(const Equilibrium& equilibrium) {

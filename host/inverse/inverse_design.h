@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "grid/shrink.h"
+#include "inverse/check_from_flat.h"
 #include "inverse/inverse_checkpoint.h"
 #include "inverse/lateral_rest.h"
 #include "inverse/shape_error.h"
@@ -35,15 +36,6 @@ struct InverseOptions {
   /// Where an inverse design of the same grid, targets and bounds stood. Steps and seconds count
   /// on.
   std::optional<InverseCheckpoint> resumeFrom;
-};
-
-/// Where the chosen design gets by a slow morph from the printed sheet, see followMorph().
-struct FromFlat {
-  bool sameEquilibrium;  ///< Whether it is that of the inverse design.
-  double rmsPercent;     ///< Distance to the target, see ShapeError.
-  /// Of frames: the smallest eigenvalue (see SmallestEigenvalue), the least over the steps, over
-  /// that of the flat sheet. Near 0 the grid is about to buckle.
-  std::optional<double> leastStiffness;
 };
 
 struct InverseDesign {
@@ -97,7 +89,6 @@ class InverseDesigner {
   void keep();
   bool settle();
   void morphFromFlat();
-  double stiffnessAt(const Equilibrium& equilibrium);
   bool searchLine(const Eigen::VectorXd& direction);
   /// Brings the solver to where the present state is.
   void place();

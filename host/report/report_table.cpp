@@ -159,7 +159,9 @@ void addFeasibility(Table& table, const RunRecord& record) {
   if (record.shrink) {
     rowIfAny("struts at the limit", record.shrink->strutsAtLimit);
     rowIfAny("struts that must grow", record.shrink->strutsGrowing);
-    rowIfAny("struts under the least", record.shrink->strutsUnderLeast);
+    if (record.shrink->strutsUnderLeast != record.shrink->strutsGrowing) {
+      rowIfAny("struts under the least", record.shrink->strutsUnderLeast);
+    }
   }
   if (record.feasibility) {
     const Feasibility& f = *record.feasibility;

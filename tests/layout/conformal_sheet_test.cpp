@@ -76,7 +76,8 @@ TEST(ConformalSheet, DoesNotDependOnTheUnitNorOnWhereTheTargetIs) {
   SheetProblem moved = problem;
   moved.points = 1000 * (turn * problem.points);
   moved.normals = turn * problem.normals;
-  moved.rest[0] = netOn([](double u, double v) { return 1000 * onSphere(u, v); }, 11, 9).rest[0];
+  const auto enlarged = [](double u, double v) -> Eigen::Vector3d { return 1000 * onSphere(u, v); };
+  moved.rest = netOn(enlarged, 11, 9).rest;
   const SheetFigures here = layOut(problem);
   const SheetFigures there = layOut(moved);
   EXPECT_NEAR(there.meanAngle, here.meanAngle, 1e-6);
