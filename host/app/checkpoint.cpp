@@ -14,7 +14,7 @@ namespace morphgrid {
 namespace {
 
 constexpr ArrayFormat kCheckpointFormat{
-    "morphgrid checkpoint", 3, "checkpoint",
+    "morphgrid checkpoint", 4, "checkpoint",
     "resume from another one that --checkpoint wrote, or start anew"};
 
 // Settings are texts whose names begin like this.

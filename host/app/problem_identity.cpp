@@ -53,7 +53,13 @@ std::string digestOfProblem(const Scene& scene, const SceneDesign& designed) {
     StrutGrid stacked = stackedGrid(designed.design, scene.weights, scene.scaling, flat.positions);
     weld(stacked, scene.material);
     addGrid(digest, stacked);
+    if (designed.sheet) {
+      const Eigen::Matrix2Xd& sheet = designed.sheet->sheet.positions;
+      digest.addList(std::span(sheet.data(), static_cast<std::size_t>(sheet.size())));
+    }
     digest.add(scene.design.enforceShrinkage ? scene.design.maxShrinkage : 0.0);
+    digest.add(scene.design.enforceShrinkage ? scene.material.leastShrinkage : 0.0);
+    digest.add(scene.design.maxStrain.value_or(0));
     digest.addList(allOf(designed.targets.value_or(Eigen::Matrix3Xd(3, 0))));
   }
   return digest.text();
@@ -78,8 +84,12 @@ ProblemIdentity identifyProblem(const Scene& scene, const SceneDesign& designed)
           {"curvature cutoff", fmt::format("{}", request.curvatureCutoff)},
           {"net", request.net == NetKind::orthogonal ? "orthogonal" : "isoline"},
           {"reference", request.reference == Reference::middle ? "middle" : "convex"},
+          {"layout", nameOf(request.layout)},
           {"enforced shrinkage",
-           request.enforceShrinkage ? fmt::format("{}", request.maxShrinkage) : "none"},
+           request.enforceShrinkage
+               ? fmt::format("{} to {}", scene.material.leastShrinkage, request.maxShrinkage)
+               : "none"},
+          {"largest strain", request.maxStrain ? fmt::format("{}", *request.maxStrain) : "none"},
       },
   };
 }

@@ -210,7 +210,7 @@ TEST_F(CheckpointFile, OtherFilesAndVersionsAreRefused) {
   EXPECT_THAT(problemOf("[surface]\n"), HasSubstr("is no checkpoint of morphgrid"));
   EXPECT_THAT(problemOf(""), HasSubstr("is no checkpoint of morphgrid"));
   writeArrayFile(file(), {"morphgrid checkpoint", 1, "", ""}, {}, {});
-  EXPECT_THAT(problem(file()), HasSubstr("has version 1, this morphgrid reads version 3"));
+  EXPECT_THAT(problem(file()), HasSubstr("has version 1, this morphgrid reads version 4"));
   writeArrayFile(file(), {"morphgrid state", 3, "", ""}, {}, {});
   EXPECT_THAT(problem(file()), HasSubstr("is no checkpoint of morphgrid"));
 }
@@ -261,7 +261,14 @@ TEST(CheckpointProblem, WhatDiffersIsNamed) {
   // The same size, other angles.
   EXPECT_THAT(differences({"grid.curvature_cutoff=0.5"}), HasSubstr("curvature cutoff: 1 in"));
   EXPECT_THAT(differences({"design.enforce_shrinkage=true"}),
-              HasSubstr("enforced shrinkage: none in the checkpoint, 0.4"));
+              HasSubstr("enforced shrinkage: none in the checkpoint, 0 to 0.4"));
+}
+
+TEST(CheckpointProblem, KnowsTheSheetAndItsBounds) {
+  EXPECT_THAT(differences({"design.layout=conformal"}),
+              HasSubstr("layout: in_plane in the checkpoint, conformal in the scene"));
+  EXPECT_THAT(differences({"design.max_strain=0.1"}),
+              HasSubstr("largest strain: none in the checkpoint, 0.1 in the scene"));
 }
 
 TEST(CheckpointProblem, IsEveryNumberOfTheGrid) {

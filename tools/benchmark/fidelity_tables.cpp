@@ -113,9 +113,11 @@ std::string randomTable(const std::vector<FidelityTrio>& trios) {
 }
 
 std::string describe(const FidelityRun& run) {
-  return fmt::format("RMS / max {} %, in the frame {} %, shrink {} %, over / growing {}, {:.1f} s",
-                     distances(run), percents(run.frame.asDesigned), shrink(run),
-                     impossibleStruts(run), run.record.secondsTotal);
+  return fmt::format(
+      "RMS / max in its own model {} %, in the frame {} %, shrink {} %, over / growing {}, {:.1f} "
+      "s",
+      distances(run), percents(run.frame.asDesigned), shrink(run), impossibleStruts(run),
+      run.record.secondsTotal);
 }
 
 }  // namespace morphgrid
