@@ -109,9 +109,9 @@ InverseDesign InverseDesigner::run(Equilibrium first) {
   }
   result_.rest = lateral_.replacedIn(solver_.grid(), kept_.rest);
   solver_.setRest(result_.rest);
-  moveTo(kept_.equilibrium);
+  solver_.moveTo(kept_.equilibrium.positions, kept_.equilibrium.rotations);
   morphFromFlat();
-  moveTo(kept_.equilibrium);
+  solver_.moveTo(kept_.equilibrium.positions, kept_.equilibrium.rotations);
   result_.equilibrium = std::move(kept_.equilibrium);
   return std::move(result_);
 }
@@ -195,18 +195,10 @@ void InverseDesigner::morphFromFlat() {
   result_.fromFlat = checkFromFlat(solver_, kept_.equilibrium, targets_, toTheEnd_);
 }
 
-void InverseDesigner::moveTo(const Equilibrium& equilibrium) {
-  if (equilibrium.rotations.cols() > 0) {
-    solver_.moveTo(equilibrium.positions, equilibrium.rotations);
-  } else {
-    solver_.moveTo(equilibrium.positions);
-  }
-}
-
 void InverseDesigner::place() {
   if (!isPlaced_) {
     solver_.setRest(lateral_.replacedIn(solver_.grid(), state_.rest));
-    moveTo(state_.equilibrium);
+    solver_.moveTo(state_.equilibrium.positions, state_.equilibrium.rotations);
     isPlaced_ = true;
   }
 }
@@ -214,7 +206,7 @@ void InverseDesigner::place() {
 /// Solves from the present state with other rest lengths. The solver then stands there.
 InverseDesigner::State InverseDesigner::morphed(const VectorXd& rest, const SolveOptions& solve) {
   if (!isPlaced_) {
-    moveTo(state_.equilibrium);
+    solver_.moveTo(state_.equilibrium.positions, state_.equilibrium.rotations);
   }
   isPlaced_ = false;
   solver_.setRest(lateral_.replacedIn(solver_.grid(), rest));

@@ -92,7 +92,6 @@ class InverseDesigner {
   bool searchLine(const Eigen::VectorXd& direction);
   /// Brings the solver to where the present state is.
   void place();
-  void moveTo(const Equilibrium& equilibrium);
   State morphed(const Eigen::VectorXd& rest, const SolveOptions& solve);
   Eigen::VectorXd gradient();
   StrainExcess excessOf(const InverseCheckpoint::Design& design) const;
