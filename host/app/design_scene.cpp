@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include "core/error.h"
-#include "measure/orthogonal_net.h"
+#include "measure/conformal_map.h"
+#include "measure/mapped_net.h"
+#include "measure/principal_map.h"
 
 namespace morphgrid {
 namespace {
@@ -21,11 +23,21 @@ struct ChosenNet {
   NetFigures figures;
 };
 
-ChosenNet chooseNet(const std::optional<ConformalMap>& map, const GridSize& size,
+/// What the net is drawn on; isolines need none.
+std::optional<LatticeMap> mapFor(NetKind net, TargetSampler& sampler) {
+  if (net == NetKind::isoline) {
+    return std::nullopt;
+  }
+  const Net lattice = isolineNet(kMapNodes, kMapNodes);
+  const PointLattice points = sampler.points(lattice);
+  return net == NetKind::orthogonal ? mapConformally(points)
+                                    : mapAlongCurvature(points, sampler.normals(lattice));
+}
+
+ChosenNet chooseNet(const std::optional<LatticeMap>& map, const GridSize& size,
                     const DesignRequest& request, const NetPoints& pointsOf) {
   BlendedNet chosen{
-      map ? orthogonalNet(*map, size.nodesU, size.nodesV) : isolineNet(size.nodesU, size.nodesV),
-      0};
+      map ? mappedNet(*map, size.nodesU, size.nodesV) : isolineNet(size.nodesU, size.nodesV), 0};
   if (map && request.maxStrutRatio) {
     chosen = boundStrutRatio(chosen.net, *request.maxStrutRatio, pointsOf);
     requireUnfolded(chosen.net);
@@ -74,10 +86,7 @@ SceneDesign designFor(const Scene& scene, const std::shared_ptr<const Target>& t
   const DesignRequest& request = scene.design;
   const std::unique_ptr<TargetSampler> sampler = target->sampler(cancellation);
   const SurfaceSurvey& survey = target->survey();
-  std::optional<ConformalMap> map;
-  if (request.net == NetKind::orthogonal) {
-    map = mapConformally(sampler->points(isolineNet(kMapNodes, kMapNodes)));
-  }
+  const std::optional<LatticeMap> map = mapFor(request.net, *sampler);
   const GridSize size =
       chooseGridSize(survey, request, map ? std::optional(map->modulus) : std::nullopt);
   const ChosenNet chosen =

@@ -191,18 +191,21 @@ SceneKeySection designKeys() {
            .value = wordKey(ofDesign(&DesignRequest::net), kNetWords),
            .kinds = kMeasured,
            .knob = KnobOffer{"net"},
-           .meaning = "Lines along the isolines of the parameters, as in the paper, or crossing at "
-                      "right angles, as the corners of the grid want it. An orthogonal net has its "
-                      "own ratio of the node counts."},
+           .meaning =
+               "Lines along the isolines of the parameters, as in the paper; crossing at right "
+               "angles, as corners that rest at right angles want it; or along the lines of "
+               "curvature, as far as the target's sides allow, where welded layers share their "
+               "joints' angles. The last two have their own ratio of the node counts, and struts "
+               "that may differ much in length, see `max_strut_ratio`."},
           {.name = "layout",
            .value = wordKey(ofDesign(&DesignRequest::layout), kLayoutWords),
            .kinds = kMeasured,
            .otherwise =
                [](Scene& scene) {
-                 const bool isFrame = scene.material.model == Model::frame;
-                 scene.design.layout = isFrame ? Layout::conformal : Layout::inPlane;
+                 const bool isPapers = scene.material.model == Model::paper;
+                 scene.design.layout = isPapers ? Layout::inPlane : Layout::conformal;
                },
-           .defaultInWords = "`\"conformal\"` for frames, else `\"in_plane\"`",
+           .defaultInWords = "`\"in_plane\"` for springs as in the paper, else `\"conformal\"`",
            .knob = KnobOffer{"layout"},
            .meaning = "How the flat sheet is laid out: square cells that morph in their plane, as "
                       "in the paper, or a sheet whose joints have the angles of the target and "
@@ -226,7 +229,8 @@ SceneKeySection designKeys() {
           {.name = "max_strut_ratio",
            .value = numberKey(ofDesign(&DesignRequest::maxStrutRatio), above(1)),
            .kinds = kMeasured,
-           .meaning = "The longest chord of an orthogonal net may be so many times the shortest: "
+           .meaning = "The longest chord of an orthogonal or principal net may be so many times "
+                      "the shortest: "
                       "the net is blended with the isolines as little as that takes."},
           {.name = "compensate",
            .value = integerKey(ofDesign(&DesignRequest::compensateRounds), kRounds),
@@ -248,9 +252,9 @@ SceneKeySection designKeys() {
            .kinds = kMeasured,
            .otherwise =
                [](Scene& scene) {
-                 if (scene.material.model == Model::frame) scene.design.maxStrain = kMaxStrain;
+                 if (scene.material.model != Model::paper) scene.design.maxStrain = kMaxStrain;
                },
-           .defaultInWords = "0.03 for frames, else no bound",
+           .defaultInWords = "no bound for springs as in the paper, else 0.03",
            .meaning = "By how much a lateral strut's length may differ from its rest length in the "
                       "end. Both of the above count what is beyond it as they count distance."},
           {.name = "enforce_shrinkage",

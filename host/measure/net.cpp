@@ -22,7 +22,7 @@ constexpr int kBisections = 20;
 
 Net blended(const Net& net, const Net& isolines, double share) {
   return {net.nodesU, net.nodesV, (1 - share) * net.parameters + share * isolines.parameters,
-          net.kind};
+          net.followsIsolines};
 }
 
 double area(const Vector2d& a, const Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
@@ -61,7 +61,7 @@ double angleDeviation(const Vector3d& a, const Vector3d& b) {
 }  // namespace
 
 Net isolineNet(int nodesU, int nodesV) {
-  Net net{nodesU, nodesV, Eigen::Matrix2Xd(2, (nodesU + 1) * (nodesV + 1)), NetKind::isoline};
+  Net net{nodesU, nodesV, Eigen::Matrix2Xd(2, (nodesU + 1) * (nodesV + 1)), true};
   forEachVertex(net.shape(), [&](const GridPlace& place) {
     net.parameters.col(net.shape().index(place)) << double(place.i) / nodesU,
         double(place.j) / nodesV;

@@ -12,10 +12,11 @@ namespace morphgrid {
 enum class NetKind {
   isoline,     ///< Along the isolines of the parameters, evenly spaced in them.
   orthogonal,  ///< Crossing at right angles.
+  principal,   ///< Along the lines of curvature, as far as the target's sides allow.
 };
 
 /// As scene files call them.
-inline constexpr std::array kNetWords = {"isoline", "orthogonal"};
+inline constexpr std::array kNetWords = {"isoline", "orthogonal", "principal"};
 constexpr const char* nameOf(NetKind kind) { return kNetWords[static_cast<std::size_t>(kind)]; }
 
 /// Where the vertices of a grid lie on the target.
@@ -25,7 +26,7 @@ struct Net {
   /// (u, v) of each vertex, of a patch or of a mesh's box, in [0, 1]^2; 2 x (nodesU+1)(nodesV+1),
   /// index j (nodesU+1) + i.
   Eigen::Matrix2Xd parameters;
-  NetKind kind = NetKind::orthogonal;  ///< isoline: the parameters are those of isolineNet().
+  bool followsIsolines = false;  ///< The parameters are those of isolineNet().
 
   GridShape shape() const { return {nodesU + 1, nodesV + 1, 1}; }
   int index(int i, int j) const { return shape().index(i, j, 0); }

@@ -86,7 +86,7 @@ class MeshTarget::Sampler final : public TargetSampler {
   PointLattice points(const Net& net) override {
     const int countU = net.nodesU + 1;
     const int countV = net.nodesV + 1;
-    if (net.kind == NetKind::isoline) {
+    if (net.followsIsolines) {
       return sampler_.cast(countU, countV).lattice();
     }
     return {countU, countV, sampler_.castThrough(net.parameters, target_.sampling_.hits)};

@@ -25,7 +25,7 @@ class PatchSampler final : public TargetSampler {
   /// The patch knows how its isolines curve; other lines are splines through their points.
   SurfaceMeasurement measure(const Net& net, const PointLattice& points,
                              double curvatureLimit) override {
-    return net.kind == NetKind::isoline
+    return net.followsIsolines
                ? measureSurface(patch_, net.nodesU, net.nodesV, curvatureLimit, cancellation_)
                : measureLattice(points, curvatureLimit, 0, cancellation_);
   }

@@ -40,7 +40,7 @@ double mercator(double latitude) { return std::asinh(std::tan(latitude)); }
 
 /// Largest |difference| of the map's values from exact ones, (u, v) of the parameters.
 template <typename Exact>
-double largestError(const ConformalMap& map, Exact exact) {
+double largestError(const LatticeMap& map, Exact exact) {
   double largest = 0;
   for (int j = 0; j < map.countV; ++j) {
     for (int i = 0; i < map.countU; ++i) {
@@ -57,7 +57,7 @@ TEST(ConformalMap, OfARectangleIsTheIdentity) {
   // Unevenly sampled inside: linear functions are harmonic on any triangulation.
   const auto x = [](double u, double v) { return u + 0.1 * std::sin(kPi * u) * (1 + v); };
   const auto y = [](double u, double v) { return v + 0.05 * std::sin(kPi * v) * std::cos(2 * u); };
-  const ConformalMap map = mapConformally(
+  const LatticeMap map = mapConformally(
       latticeOn([&](double u, double v) { return Vector3d(3 * x(u, v), 5, 2 * y(u, v)); }, 13, 8));
   EXPECT_LT(
       largestError(map, [&](double u, double v) { return Eigen::Vector2d(x(u, v), y(u, v)); }),
@@ -66,7 +66,7 @@ TEST(ConformalMap, OfARectangleIsTheIdentity) {
 }
 
 TEST(ConformalMap, OfACylinderIsThatOfTheSheet) {
-  const ConformalMap map = mapConformally(latticeOn(
+  const LatticeMap map = mapConformally(latticeOn(
       [](double u, double v) { return Vector3d(std::cos(2 * u), std::sin(2 * u), 3 * v); }, 21, 9));
   EXPECT_LT(largestError(map, [](double u, double v) { return Eigen::Vector2d(u, v); }), 1e-13);
   EXPECT_NEAR(map.modulus, 3 / (20 * 2 * std::sin(2.0 / 40)), 1e-13);  // A prism's chords.
@@ -77,8 +77,8 @@ TEST(ConformalMap, OfASectorIsTheLogarithmAndConvergesAtSecondOrder) {
   const auto exact = [&](double u, double v) {
     return Eigen::Vector2d(std::log(1 + u * (kOuter - kInner) / kInner) / logarithm, v);
   };
-  const ConformalMap coarse = mapConformally(latticeOn(sector, 13, 11));
-  const ConformalMap fine = mapConformally(latticeOn(sector, 25, 21));
+  const LatticeMap coarse = mapConformally(latticeOn(sector, 13, 11));
+  const LatticeMap fine = mapConformally(latticeOn(sector, 25, 21));
   EXPECT_LT(largestError(fine, exact), 1e-3);
   EXPECT_NEAR(std::log2(largestError(coarse, exact) / largestError(fine, exact)), 2, 0.2);
   EXPECT_NEAR(fine.modulus, kAngle / logarithm, 1e-3);
@@ -93,15 +93,15 @@ TEST(ConformalMap, OfASphereIsMercators) {
     return Eigen::Vector2d(u,
                            (mercator(kSouth + v * (kNorth - kSouth)) - mercator(kSouth)) / height);
   };
-  const ConformalMap coarse = mapConformally(latticeOn(sphere, 13, 11));
-  const ConformalMap fine = mapConformally(latticeOn(sphere, 25, 21));
+  const LatticeMap coarse = mapConformally(latticeOn(sphere, 13, 11));
+  const LatticeMap fine = mapConformally(latticeOn(sphere, 25, 21));
   EXPECT_LT(largestError(fine, exact), 1e-3);
   EXPECT_NEAR(std::log2(largestError(coarse, exact) / largestError(fine, exact)), 2, 0.3);
   EXPECT_NEAR(fine.modulus, height / kLongitudes, 2e-3);
 }
 
 TEST(ConformalMap, OfARhombusHasTheModulusOne) {
-  const ConformalMap map = mapConformally(latticeOn(
+  const LatticeMap map = mapConformally(latticeOn(
       [](double u, double v) -> Vector3d {
         return u * Vector3d::UnitX() + v * Vector3d(0.5, std::sqrt(0.75), 0);
       },
@@ -112,13 +112,13 @@ TEST(ConformalMap, OfARhombusHasTheModulusOne) {
 }
 
 TEST(ConformalMap, DoesNotDependOnUnitsOrPlace) {
-  const ConformalMap map = mapConformally(latticeOn(sphere, 9, 11));
+  const LatticeMap map = mapConformally(latticeOn(sphere, 9, 11));
   PointLattice lattice = latticeOn(sphere, 9, 11);
   const Eigen::Affine3d motion = Eigen::Translation3d(5, -3, 2) *
                                  Eigen::AngleAxisd(1.1, Eigen::Vector3d(1, 2, -1).normalized()) *
                                  Eigen::Scaling(1e3);
   lattice.points = motion * lattice.points;
-  const ConformalMap moved = mapConformally(lattice);
+  const LatticeMap moved = mapConformally(lattice);
   EXPECT_LT((moved.values - map.values).cwiseAbs().maxCoeff(), 1e-11);
   EXPECT_NEAR(moved.modulus, map.modulus, 1e-11);
 }

@@ -34,7 +34,7 @@ TEST(PatchTarget, HasPointsAndNormalsAtAnyNet) {
   const auto sampler = target->sampler({});
   Net net = isolineNet(5, 3);
   net.parameters = net.parameters.array().square();
-  net.kind = NetKind::orthogonal;
+  net.followsIsolines = false;
   const PointLattice points = sampler->points(net);
   const Eigen::Matrix3Xd normals = sampler->normals(net);
   EXPECT_EQ(points.countU, 6);
@@ -54,7 +54,7 @@ TEST(PatchTarget, MeasuresIsolinesByThePatchAndOtherLinesByTheirPoints) {
   const double limit = 1e9;
   const Net isolines = isolineNet(40, 4);
   Net others = isolines;
-  others.kind = NetKind::orthogonal;
+  others.followsIsolines = false;
   const PointLattice points = sampler->points(isolines);
   const SurfaceMeasurement exact = sampler->measure(isolines, points, limit);
   const SurfaceMeasurement splines = sampler->measure(others, points, limit);

@@ -1,4 +1,4 @@
-#include "measure/orthogonal_net.h"
+#include "measure/mapped_net.h"
 
 #include <Eigen/LU>
 #include <algorithm>
@@ -27,7 +27,7 @@ double placeOnSide(const Eigen::VectorXd& values, double value) {
 /// (u, v) times the node counts, where vertices are the whole numbers.
 class Rasteriser {
  public:
-  Rasteriser(const ConformalMap& map, Net& net)
+  Rasteriser(const LatticeMap& map, Net& net)
       : map_(map), net_(net), inside_(net.parameters.cols(), -1) {}
 
   void draw(const Eigen::Vector3i& triangle) {
@@ -70,12 +70,12 @@ class Rasteriser {
         parameters.cwiseQuotient(Vector2d(map_.countU - 1, map_.countV - 1));
   }
 
-  const ConformalMap& map_;
+  const LatticeMap& map_;
   Net& net_;
   std::vector<double> inside_;  ///< Smallest barycentric coordinate so far.
 };
 
-void placeSides(const ConformalMap& map, Net& net) {
+void placeSides(const LatticeMap& map, Net& net) {
   const auto alongU = [&](int j) {
     return map.values.row(0).segment(Eigen::Index(j) * map.countU, map.countU).transpose().eval();
   };
@@ -101,7 +101,7 @@ void placeSides(const ConformalMap& map, Net& net) {
 
 }  // namespace
 
-Net orthogonalNet(const ConformalMap& map, int nodesU, int nodesV) {
+Net mappedNet(const LatticeMap& map, int nodesU, int nodesV) {
   // The triangles cover the square, so every vertex is found; NaN would be reported as a fold.
   Net net{nodesU, nodesV, Eigen::Matrix2Xd::Constant(2, (nodesU + 1) * (nodesV + 1), std::nan(""))};
   Rasteriser rasteriser(map, net);

@@ -1,4 +1,4 @@
-#include "measure/orthogonal_net.h"
+#include "measure/mapped_net.h"
 
 #include <gmock/gmock.h>
 
@@ -23,7 +23,7 @@ Vector3d skewed(double u, double v) {
 }
 
 /// The map at parameters: barycentric on the triangle that holds them, searched among all.
-Vector2d valueAt(const ConformalMap& map, const Vector2d& parameters) {
+Vector2d valueAt(const LatticeMap& map, const Vector2d& parameters) {
   const Vector2d place = parameters.cwiseProduct(Vector2d(map.countU - 1, map.countV - 1));
   Vector2d value;
   double deepest = -1;
@@ -46,8 +46,8 @@ PointLattice pointsOf(const Surface& surface, const Net& net) {
 }
 
 TEST(OrthogonalNet, InvertsTheMap) {
-  const ConformalMap map = mapConformally(latticeOn(skewed, 31, 25));
-  const Net net = orthogonalNet(map, 11, 7);
+  const LatticeMap map = mapConformally(latticeOn(skewed, 31, 25));
+  const Net net = mappedNet(map, 11, 7);
   for (int j = 0; j <= 7; ++j) {
     for (int i = 0; i <= 11; ++i) {
       const Vector2d value = valueAt(map, net.parameters.col(net.index(i, j)));
@@ -57,8 +57,8 @@ TEST(OrthogonalNet, InvertsTheMap) {
 }
 
 TEST(OrthogonalNet, KeepsSidesAndCorners) {
-  const ConformalMap map = mapConformally(latticeOn(skewed, 31, 25));
-  const Net net = orthogonalNet(map, 11, 7);
+  const LatticeMap map = mapConformally(latticeOn(skewed, 31, 25));
+  const Net net = mappedNet(map, 11, 7);
   for (int i = 0; i <= 11; ++i) {
     EXPECT_EQ(net.parameters(1, net.index(i, 0)), 0);
     EXPECT_EQ(net.parameters(1, net.index(i, 7)), 1);
@@ -75,7 +75,7 @@ TEST(OrthogonalNet, OfASectorGrowsOutwards) {
   const auto sector = [](double u, double v) {
     return Vector3d((1 + 2 * u) * std::cos(v), (1 + 2 * u) * std::sin(v), 0);
   };
-  const Net net = orthogonalNet(mapConformally(latticeOn(sector, 81, 41)), 10, 6);
+  const Net net = mappedNet(mapConformally(latticeOn(sector, 81, 41)), 10, 6);
   for (int i = 0; i <= 10; ++i) {
     const double radius = std::pow(3, i / 10.0);
     EXPECT_NEAR(net.parameters(0, net.index(i, 2)), (radius - 1) / 2, 1e-4);
@@ -84,19 +84,19 @@ TEST(OrthogonalNet, OfASectorGrowsOutwards) {
 }
 
 TEST(OrthogonalNet, OnALatticeOfOneCellIsLinear) {
-  const Net net = orthogonalNet(
+  const Net net = mappedNet(
       mapConformally(latticeOn([](double u, double v) { return Vector3d(u, v, 0); }, 2, 2)), 3, 5);
   EXPECT_LT((net.parameters - isolineNet(3, 5).parameters).cwiseAbs().maxCoeff(), 1e-14);
 }
 
 TEST(OrthogonalNet, TellsAFold) {
-  ConformalMap map =
+  LatticeMap map =
       mapConformally(latticeOn([](double u, double v) { return Vector3d(u, v, 0); }, 9, 9));
   for (const int j : {3, 4, 5}) {
     for (int i = 1; i < 8; ++i) map.values(0, 9 * j + i) = (8 - i) / 8.0;  // Runs backwards.
   }
   try {
-    orthogonalNet(map, 17, 17);
+    mappedNet(map, 17, 17);
     FAIL();
   } catch (const InputError& error) {
     EXPECT_THAT(error.what(), HasSubstr("folded in node"));
@@ -115,7 +115,7 @@ TEST_P(PaperPatches, CrossAtRightAnglesAwayFromTheCorners) {
   const auto& [name, nodesU, nodesV, isolineDeviation] = GetParam();
   const BezierPatch patch = readPatch(sourceFolder() / "scenes/patches" / name);
   const auto degrees = [](double radians) { return radians * 180 / std::acos(-1.0); };
-  const ConformalMap map =
+  const LatticeMap map =
       mapConformally(latticeOn([&](double u, double v) { return patch.point(u, v); }, 81, 81));
   const auto middleOf = [&](const Net& net, int margin) {
     const PointLattice whole = pointsOf(patch, net);
@@ -128,12 +128,12 @@ TEST_P(PaperPatches, CrossAtRightAnglesAwayFromTheCorners) {
     }
     return assessNet(middle);
   };
-  const NetQuality coarse = middleOf(orthogonalNet(map, nodesU, nodesV), 3);
+  const NetQuality coarse = middleOf(mappedNet(map, nodesU, nodesV), 3);
   EXPECT_LT(degrees(coarse.largestAngleDeviation), 6);
   EXPECT_LT(degrees(coarse.meanAngleDeviation), 1.5);
   EXPECT_GT(degrees(middleOf(isolineNet(nodesU, nodesV), 3).meanAngleDeviation), isolineDeviation);
   // What is left is that chords are not tangents.
-  const NetQuality fine = middleOf(orthogonalNet(map, 2 * nodesU, 2 * nodesV), 6);
+  const NetQuality fine = middleOf(mappedNet(map, 2 * nodesU, 2 * nodesV), 6);
   EXPECT_LT(fine.meanAngleDeviation, 0.55 * coarse.meanAngleDeviation);
 }
 
@@ -148,7 +148,7 @@ INSTANTIATE_TEST_SUITE_P(, PaperPatches,
 
 TEST(OrthogonalNet, OfAMirroredSurfaceIsMirrored) {
   const BezierPatch chair = readPatch(sourceFolder() / "scenes/patches/egg_chair.toml");
-  const Net net = orthogonalNet(
+  const Net net = mappedNet(
       mapConformally(latticeOn([&](double u, double v) { return chair.point(u, v); }, 41, 41)), 8,
       10);
   for (int j = 0; j <= 10; ++j) {
