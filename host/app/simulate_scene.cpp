@@ -29,17 +29,35 @@ void noteOtherWay(RunRecord& record) {
   }
 }
 
-/// Below it a design is judged to be near buckling; a judgement, not measured.
-constexpr double kSoft = 0.3;
-
 void noteSoftness(RunRecord& record) {
   const auto& inverse = record.inverse;
-  if (inverse && inverse->fromFlat && inverse->fromFlat->leastStiffness.value_or(1) < kSoft) {
+  if (inverse && inverse->fromFlat && inverse->fromFlat->leastStiffness.value_or(1) < kSoftest) {
     record.notices.push_back(fmt::format(
         "on its way from flat the grid comes close to buckling: its smallest eigenvalue falls to "
         "{:.2g} of the flat sheet's; lower grid.layer_spacing, or take a material of a wider range "
         "(material.least_shrinkage, grid.max_shrinkage) or a surface that curves less",
         *inverse->fromFlat->leastStiffness));
+  }
+  if (inverse && inverse->refusedAsSoft > 0) {
+    record.notices.push_back(fmt::format(
+        "inverse design refused {} steps, after which the grid would be near buckling; a wider "
+        "range of the material (material.least_shrinkage, grid.max_shrinkage) or a surface that "
+        "curves less leaves it more",
+        inverse->refusedAsSoft));
+  }
+}
+
+/// Percent of the diagonal; beyond it a grid that should be symmetric is seen to curl.
+constexpr double kAsymmetric = 0.05;
+
+void noteAsymmetry(RunRecord& record) {
+  const auto& symmetry = record.symmetry;
+  if (symmetry && symmetry->resultPercent > kAsymmetric) {
+    record.notices.push_back(fmt::format(
+        "the target is symmetric under a {}, the result is not, by {:.2g} % (RMS): it has buckled "
+        "to one side, and its mirror twin is as likely; a sheet that fits "
+        "(design.layout = \"conformal\"), thicker bars or less shrinkage keep it from that",
+        toString(symmetry->kind), symmetry->resultPercent));
   }
 }
 
@@ -113,6 +131,9 @@ Simulation simulateScene(const Scene& scene, const SceneDesign& designed, RunCon
   if (designed.targets) {
     record.distance = computeTargetDistance(middleLayer(stage.grid.shape, positions),
                                             *designed.targets, designed.target->closestPoints());
+    record.symmetry = computeSymmetry(stage.grid.shape, *designed.targets,
+                                      middleLayer(stage.grid.shape, positions));
+    noteAsymmetry(record);
   }
   const Eigen::Isometry3d targetFromGrid = alignResult(stage, designed.targets);
   context.draw([&](Pictures& pictures) {

@@ -1,6 +1,7 @@
 #pragma once
 #include <optional>
 
+#include "inverse/softness.h"
 #include "solve/multigrid_solver.h"
 
 namespace morphgrid {
@@ -9,15 +10,16 @@ namespace morphgrid {
 struct FromFlat {
   bool sameEquilibrium;  ///< Whether it is that of the inverse design.
   double rmsPercent;     ///< Distance to the target, see ShapeError.
-  /// Of frames: the smallest eigenvalue (see SmallestEigenvalue), the least over the steps, over
-  /// that of the flat sheet. Near 0 the grid is about to buckle.
+  /// Of frames: the least Softness over the steps.
   std::optional<double> leastStiffness;
 };
 
 /// What is printed starts flat, not at the last design's equilibrium. The solver's grid has the
 /// design's rest lengths; targets: 3 x layerVertexCount; solve: of the last step. Nothing when the
-/// user has asked to stop. The solver then stands where the morph ended.
+/// user has asked to stop. softness: of frames, else null. The solver then stands where the morph
+/// ended.
 std::optional<FromFlat> checkFromFlat(MultigridSolver& solver, const Equilibrium& design,
-                                      const Eigen::Matrix3Xd& targets, const SolveOptions& solve);
+                                      const Eigen::Matrix3Xd& targets, const SolveOptions& solve,
+                                      Softness* softness);
 
 }  // namespace morphgrid

@@ -83,11 +83,19 @@ InverseDesigner::InverseDesigner(MultigridSolver& solver, const Eigen::Matrix3Xd
 
 InverseDesign InverseDesigner::run(Equilibrium first) {
   result_.ending = "all steps done";
+  if (solver_.grid().bars) {
+    softness_.emplace(solver_);
+    solver_.moveTo(first.positions, first.rotations);
+  }
   if (options_.resumeFrom) {
     resume(std::move(*options_.resumeFrom));
   } else {
     start_ = now();
     begin(std::move(first));
+  }
+  if (softness_) {
+    place();
+    softnessNow_ = softness_->at(state_.equilibrium);
   }
   if (!compensated_) {
     compensate();
@@ -192,7 +200,8 @@ void InverseDesigner::morphFromFlat() {
   if (options_.onCheckFromFlat) {
     options_.onCheckFromFlat();
   }
-  result_.fromFlat = checkFromFlat(solver_, kept_.equilibrium, targets_, toTheEnd_);
+  result_.fromFlat = checkFromFlat(solver_, kept_.equilibrium, targets_, toTheEnd_,
+                                   softness_ ? &*softness_ : nullptr);
 }
 
 void InverseDesigner::place() {
@@ -234,7 +243,7 @@ void InverseDesigner::aimBeyond() {
     offerCheckpoint();
     const Matrix3Xd& aim = correction.next(middleLayer(shape, state_.equilibrium.positions));
     State trial = morphed(lbfgs_.project(options_.lengthsFor(aim)), onTheWay_);
-    if (isBetter(trial) && strainsNoMore(trial)) {
+    if (isBetter(trial) && strainsNoMore(trial) && isFirm(trial)) {
       correction.take();
       aim_ = correction.aim();
       state_ = std::move(trial);
@@ -341,7 +350,7 @@ bool InverseDesigner::searchLine(const VectorXd& direction) {
   double length = 1;
   for (int attempt = 0; attempt < kLineSearchSteps && !options_.solve.stopRequested(); ++attempt) {
     State next = morphed(lbfgs_.project(state_.rest + length * direction), onTheWay_);
-    if (isBetter(next)) {
+    if (isBetter(next) && isFirm(next)) {
       state_ = std::move(next);
       isPlaced_ = true;
       return true;
@@ -365,6 +374,21 @@ bool InverseDesigner::isBetter(const State& trial) const {
 bool InverseDesigner::strainsNoMore(const State& trial) const {
   return !options_.maxStrain ||
          largestStrain(trial) <= std::max(*options_.maxStrain, largestStrain(state_));
+}
+
+/// The solver stands at the trial, which is to be the present state if it is firm. Where the
+/// present one is soft already, it must not get softer.
+bool InverseDesigner::isFirm(const State& trial) {
+  if (!softness_) {
+    return true;
+  }
+  const double softness = softness_->at(trial.equilibrium);
+  if (softness < std::min(kSoftest, softnessNow_)) {
+    ++result_.refusedAsSoft;
+    return false;
+  }
+  softnessNow_ = softness;
+  return true;
 }
 
 void InverseDesigner::log(InverseStep::Kind kind, int number) {

@@ -9,6 +9,7 @@
 #include "inverse/inverse_checkpoint.h"
 #include "inverse/lateral_rest.h"
 #include "inverse/shape_error.h"
+#include "inverse/softness.h"
 #include "inverse/strain_excess.h"
 #include "solve/checkpoint_pace.h"
 #include "solve/multigrid_solver.h"
@@ -46,6 +47,7 @@ struct InverseDesign {
   /// the grid left for another equilibrium".
   std::string ending;
   std::optional<FromFlat> fromFlat;  ///< None where inverse design ended early.
+  int refusedAsSoft = 0;             ///< Steps that would have left a frame near buckling.
 };
 
 /// Chooses lateral rest lengths so that the simulated grid, not the single strut, meets its target:
@@ -98,6 +100,7 @@ class InverseDesigner {
   double largestStrain(const State& state) const;
   bool isBetter(const State& trial) const;
   bool strainsNoMore(const State& trial) const;
+  bool isFirm(const State& trial);
   void log(InverseStep::Kind kind, int number);
   void offerCheckpoint();
   bool falls() const;
@@ -121,6 +124,8 @@ class InverseDesigner {
   std::size_t keptSteps_ = 0;
   bool compensated_ = false;
   Eigen::Matrix3Xd aim_;
+  std::optional<Softness> softness_;  ///< Of frames.
+  double softnessNow_ = 0;            ///< That of state_.
   InverseDesign result_;
   std::vector<double> objectives_;  ///< After each step of optimise().
   long cycles_ = 0;

@@ -38,6 +38,8 @@ Integer integer(const json& value) {
   return static_cast<Integer>(wide);
 }
 
+std::string toString(NetKind kind) { return nameOf(kind); }
+
 /// The choice of that name.
 template <typename Choice>
 Choice choose(std::initializer_list<Choice> choices, const json& name) {
@@ -60,9 +62,8 @@ GridFigures readGrid(const json& g) {
 }
 
 NetFigures readNet(const json& n) {
-  const NetKind kind =
-      n.at("kind") == nameOf(NetKind::isoline) ? NetKind::isoline : NetKind::orthogonal;
-  return {kind,
+  using enum NetKind;
+  return {choose({isoline, orthogonal, principal}, n.at("kind")),
           optionalNumber(n.at("modulus")),
           number(n.at("blend")),
           {numberOr(kInfinity, n.at("strut_ratio")),
@@ -170,7 +171,14 @@ InverseDesign readInverse(const json& i) {
   }
   inverse.ending = i.at("ending");
   inverse.fromFlat = optionally(readFromFlat, i.at("from_flat"));
+  inverse.refusedAsSoft = i.value("steps_refused_as_soft", 0);
   return inverse;
+}
+
+SymmetryFigures readSymmetry(const json& s) {
+  using enum Symmetry;
+  return {choose({mirrorAcrossU, mirrorAcrossV, halfTurn}, s.at("kind")),
+          number(s.at("target_percent")), number(s.at("result_percent"))};
 }
 
 StrutErrors readErrors(const json& e) {
@@ -259,6 +267,7 @@ RunRecord readRecord(const json& r) {
   record.inverse = optionally(readInverse, r.at("inverse_design"));
   record.errors = optionally(readErrors, r.at("errors"));
   record.distance = optionally(readDistance, r.at("distance_to_target"));
+  record.symmetry = optionally(readSymmetry, r.value("symmetry", json()));
   record.shrink = optionally(readShrink, r.at("shrink"));
   record.feasibility = optionally(readFeasibility, r.at("feasibility"));
   if (!r.at("device_failure").is_null()) {

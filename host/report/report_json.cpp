@@ -39,6 +39,12 @@ ordered_json toJson(const Equilibrium& stage) {
           {"smallest_eigenvalue", eigenvalueToJson(stage)}};
 }
 
+ordered_json toJson(const SymmetryFigures& symmetry) {
+  return {{"kind", toString(symmetry.kind)},
+          {"target_percent", symmetry.targetPercent},
+          {"result_percent", symmetry.resultPercent}};
+}
+
 ordered_json toJson(const InverseStep& step) {
   return {{"kind", toString(step.kind)},
           {"number", step.number},
@@ -65,6 +71,7 @@ ordered_json toJson(const InverseDesign& inverse) {
   }
   return {{"ending", inverse.ending},
           {"from_flat", inverse.fromFlat ? toJson(*inverse.fromFlat) : ordered_json(nullptr)},
+          {"steps_refused_as_soft", inverse.refusedAsSoft},
           {"steps", std::move(steps)}};
 }
 
@@ -227,6 +234,7 @@ std::string toJson(const RunRecord& record) {
       {"inverse_design", orNull(record.inverse)},
       {"errors", orNull(record.errors)},
       {"distance_to_target", orNull(record.distance)},
+      {"symmetry", orNull(record.symmetry)},
       {"shrink", orNull(record.shrink)},
       {"strain", orNull(record.strain)},
       {"feasibility", orNull(record.feasibility)},

@@ -11,6 +11,7 @@
 #include "report/feasibility.h"
 #include "report/figures.h"
 #include "report/shrink_figures.h"
+#include "report/symmetry_figures.h"
 #include "solve/equilibrium.h"
 #include "target/mesh_figures.h"
 
@@ -74,6 +75,7 @@ struct RunRecord {
   std::optional<InverseDesign> inverse;  ///< Its equilibrium is that of `full`.
   std::optional<StrutErrors> errors;
   std::optional<TargetDistance> distance;
+  std::optional<SymmetryFigures> symmetry;  ///< Only of targets that are symmetric.
   std::optional<ShrinkFigures> shrink;
   std::optional<StrainFigures> strain;
   std::optional<Feasibility> feasibility;

@@ -132,6 +132,9 @@ class Problem {
 
   MatrixXd images(const MatrixXd& z) const { return apply(z, hessian_); }
 
+  /// Without rigid motions, orthonormal.
+  MatrixXd allowed(const MatrixXd& motions) const { return orthonormalised(motions, rigid_); }
+
   /// New motions in the directions of the preconditioned `right`, orthonormal to all others.
   MatrixXd newMotions(const MatrixXd& right, const MatrixXd& known) const {
     // Directions are scaled to norm 1, since preconditioners may be of single precision.
@@ -193,7 +196,10 @@ SmallestEigenvalue search(const Problem& problem, const EigenvalueOptions& optio
   const auto start = Clock::now();
   const Index size = problem.size();
   Subspace s{MatrixXd(size, 0), MatrixXd(size, 0), VectorXd(0)};
-  const MatrixXd first = problem.newMotions(randomMotions(size), s.motions);
+  MatrixXd first = problem.newMotions(randomMotions(size), s.motions);
+  if (options.start.size() == size) {
+    first = problem.allowed(joined(flattened(options.start), first)).leftCols(kBlock);
+  }
   if (first.cols() == 0) {
     throw DeviceError("the preconditioner of the eigenvalue search left the range of numbers");
   }

@@ -22,6 +22,8 @@ struct EigenvalueOptions {
   Motions motions = Motions::inSpace;
   double tolerance = 0.5;     ///< Bound on residual / |value|, > 0: below 1 the sign is certain.
   long iterationLimit = 500;  ///< >= 0
+  /// A motion to begin with, as SmallestEigenvalue::motion of a grid nearby; empty: a random one.
+  Eigen::Matrix3Xd start = {};
 };
 
 /// The smallest eigenvalue of the exact Hessian of the energy beyond the rigid motions, over the
@@ -49,10 +51,10 @@ Verdict verdictOf(const SmallestEigenvalue& eigenvalue);
 /// "minimum", "saddle", "undecided".
 std::string toString(Verdict verdict);
 
-/// Computes it by LOBPCG (Knyazev 2001), from a fixed random start. positions: 3 x vertexCount, an
-/// equilibrium in the scene's unit of length; elsewhere rotations are no eigenvectors, but taken
-/// out all the same. Stops early when the user interrupts. Throws DeviceError when the
-/// preconditioner gives no numbers.
+/// Computes it by LOBPCG (Knyazev 2001), from a fixed random start unless there is a better one.
+/// positions: 3 x vertexCount, an equilibrium in the scene's unit of length; elsewhere rotations
+/// are no eigenvectors, but taken out all the same. Stops early when the user interrupts. Throws
+/// DeviceError when the preconditioner gives no numbers.
 SmallestEigenvalue computeSmallestEigenvalue(const StrutGrid& grid,
                                              const Eigen::Matrix3Xd& positions,
                                              const Preconditioner& preconditioner,

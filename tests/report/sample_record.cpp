@@ -30,6 +30,7 @@ RunRecord sampleRecord() {
   record.full = stage;
   record.errors = {1, 2, 3};
   record.distance = {4, 5, 6, 7};
+  record.symmetry = {Symmetry::mirrorAcrossV, 1e-6, 0.2};
   record.distance->spread = {3.5, 4.5, 4.75, 0.5, {2, 1, 0, 0, 0, 0, 0, 0, 0, 1}};
   record.shrink = ShrinkFigures{{31, 0, 2, 0, 0}, {{31, 0, 2, 0, 0}, {}}};
   record.feasibility = Feasibility{};
