@@ -14,9 +14,10 @@ namespace {
 
 SolveMemory memoryFor(const GridShape& shape, const Workload& work) {
   if (work.inverseDesign) {
-    return inverseDesignMemory(shape, work.isFrame);
+    return inverseDesignMemory(shape, work.mechanics);
   }
-  return work.method == Method::jacobi ? jacobiMemory(shape) : multigridMemory(shape, work.isFrame);
+  return work.method == Method::jacobi ? jacobiMemory(shape)
+                                       : multigridMemory(shape, work.mechanics);
 }
 
 double vertexCount(const GridShape& shape) {
@@ -105,7 +106,7 @@ Workload workloadOf(const Scene& scene) {
   return {scene.method,
           scene.method == Method::multigrid &&
               (design.compensateRounds + design.optimiseSteps > 0 || design.enforceShrinkage),
-          scene.material.model == Model::frame};
+          mechanicsOf(scene.material.model)};
 }
 
 std::optional<std::string> explainOverflow(const GridShape& shape, const Workload& work,

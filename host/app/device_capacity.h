@@ -24,7 +24,7 @@ DeviceCapacity capacityOf(const Device& device);
 struct Workload {
   Method method;
   bool inverseDesign = false;  ///< After the solve.
-  bool isFrame = false;        ///< Its struts are welded bars.
+  Mechanics mechanics = Mechanics::springs;
 };
 
 Workload workloadOf(const Scene& scene);

@@ -211,7 +211,7 @@ void LiveRun::makeRoom(const Scene& scene, const GridDesign& design) {
   const GridShape shape{design.nodesU + 1, design.nodesV + 1, design.layers};
   const bool doesInverseDesign = workloadOf(scene).inverseDesign;
   if (scene.method != Method::multigrid ||
-      !solvers_.has(shape, scene.material.model == Model::frame) ||
+      !solvers_.has(shape, mechanicsOf(scene.material.model)) ||
       doesInverseDesign > solversDoInverseDesign_) {
     solvers_.clear();
     requireRoom(*device_, scene, shape);

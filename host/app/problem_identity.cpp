@@ -33,14 +33,12 @@ void addGrid(Digest& digest, const StrutGrid& grid) {
       }
     }
   }
+  if (grid.printedCorners) digest.addList(allOf(*grid.printedCorners));
 }
 
 std::string describe(const Weights& weights) {
-  std::string text = fmt::format("lateral {}, vertical {}", weights.lateral, weights.vertical);
-  for (const TermWeight& weight : kTermWeights) {
-    text += fmt::format(", {} {}", weight.name, weights.*weight.value);
-  }
-  return text;
+  return fmt::format("lateral {}, vertical {}, angle {}", weights.lateral, weights.vertical,
+                     weights.angle);
 }
 
 std::string digestOfProblem(const Scene& scene, const SceneDesign& designed) {
@@ -51,7 +49,7 @@ std::string digestOfProblem(const Scene& scene, const SceneDesign& designed) {
   if (designed.design.layers > 1) {
     // On the sheet as it is before the stage in the plane: where that ends is in the checkpoint.
     StrutGrid stacked = stackedGrid(designed.design, scene.weights, scene.scaling, flat.positions);
-    weld(stacked, scene.material);
+    applyMaterial(stacked, scene.material);
     addGrid(digest, stacked);
     if (designed.sheet) {
       const Eigen::Matrix2Xd& sheet = designed.sheet->sheet.positions;
@@ -82,7 +80,7 @@ ProblemIdentity identifyProblem(const Scene& scene, const SceneDesign& designed)
           {"model", nameOf(scene.material.model)},
           {"method", nameOf(scene.method)},
           {"curvature cutoff", fmt::format("{}", request.curvatureCutoff)},
-          {"net", request.net == NetKind::orthogonal ? "orthogonal" : "isoline"},
+          {"net", nameOf(request.net)},
           {"reference", request.reference == Reference::middle ? "middle" : "convex"},
           {"layout", nameOf(request.layout)},
           {"enforced shrinkage",

@@ -60,10 +60,11 @@ RestoredRun restoreRun(const std::filesystem::path& file) {
                     : stackedGrid(design, scene.weights, scene.scaling,
                                   state.record.printScale * state.record.inPlane->positions);
   if (design.layers > 1) {
-    weld(run.stacked, scene.material);
+    applyMaterial(run.stacked, scene.material);
   }
   Stage stage = lastStage(state);
   stage.grid.bars = run.stacked.bars;
+  stage.grid.printedCorners = run.stacked.printedCorners;
   run.simulation = {std::move(state.record), std::move(stage), state.targetFromGrid};
   return run;
 }

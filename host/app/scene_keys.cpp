@@ -50,7 +50,9 @@ SceneKeySection materialKeys() {
                    "`\"paper\"`: struts are springs, whose corners weigh what `weights` says. "
                    "`\"frame\"`: they are bars welded to joints at the angles at which they were "
                    "printed, as a printed grid is; needs two layers, and "
-                   "`solver.method = \"multigrid\"` or `\"reference\"`."},
+                   "`solver.method = \"multigrid\"` or `\"reference\"`. `\"bars\"`: springs that "
+                   "stand for such bars, weighed by their size, whose corners rest as printed: a "
+                   "preview of the frame for any method."},
               sizeKey("bar_width", &Material::barWidth, above(0), "a fifth of the mean rest length",
                       "Width of lateral bars, in the sheet's plane."),
               sizeKey("bar_height", &Material::barHeight, above(0), "`bar_width`",

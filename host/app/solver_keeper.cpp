@@ -5,8 +5,8 @@
 namespace morphgrid {
 namespace {
 
-bool isOf(const MultigridSolver& solver, const GridShape& shape, bool isFrame) {
-  return solver.grid().shape == shape && solver.grid().bars.has_value() == isFrame;
+bool isOf(const MultigridSolver& solver, const GridShape& shape, Mechanics mechanics) {
+  return solver.grid().shape == shape && mechanicsOf(solver.grid()) == mechanics;
 }
 
 }  // namespace
@@ -14,7 +14,7 @@ bool isOf(const MultigridSolver& solver, const GridShape& shape, bool isFrame) {
 std::shared_ptr<MultigridSolver> SolverKeeper::solverFor(const Device& device,
                                                          const StrutGrid& grid) {
   for (const auto& solver : solvers_) {
-    if (isOf(*solver, grid.shape, grid.bars.has_value())) {
+    if (isOf(*solver, grid.shape, mechanicsOf(grid))) {
       solver->setGrid(grid);
       return solver;
     }
@@ -23,9 +23,9 @@ std::shared_ptr<MultigridSolver> SolverKeeper::solverFor(const Device& device,
   return solvers_.back();
 }
 
-bool SolverKeeper::has(const GridShape& shape, bool isFrame) const {
+bool SolverKeeper::has(const GridShape& shape, Mechanics mechanics) const {
   return std::any_of(solvers_.begin(), solvers_.end(),
-                     [&](const auto& solver) { return isOf(*solver, shape, isFrame); });
+                     [&](const auto& solver) { return isOf(*solver, shape, mechanics); });
 }
 
 }  // namespace morphgrid

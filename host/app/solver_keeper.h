@@ -13,7 +13,7 @@ class SolverKeeper {
   /// nothing else may use by now. Throws as MultigridSolver() does.
   std::shared_ptr<MultigridSolver> solverFor(const Device& device, const StrutGrid& grid);
 
-  bool has(const GridShape& shape, bool isFrame) const;
+  bool has(const GridShape& shape, Mechanics mechanics) const;
   void clear() { solvers_.clear(); }
 
  private:

@@ -222,7 +222,7 @@ Stage Stages::runInPlane(const GridDesign& design, const Sheet* sheet) {
 Stage Stages::runFull(const GridDesign& design, const Eigen::Matrix3Xd& printedLayer) {
   const auto stackedAt = [&](double scale) {
     StrutGrid grid = stackedGrid(design, scene_.weights, scene_.scaling, scale * printedLayer);
-    weld(grid, scene_.material);
+    applyMaterial(grid, scene_.material);
     return grid;
   };
   StrutGrid grid = stackedAt(1);

@@ -24,7 +24,7 @@ StrutGrid emptyGrid(const GridDesign& design, int layers, const Weights& weights
           Eigen::Matrix3Xd(3, shape.vertexCount()),
           StrutValues(shape),
           StrutValues(shape),
-          weights};
+          TermWeights::ofAllCorners(weights.angle)};
 }
 
 }  // namespace

@@ -11,9 +11,10 @@ enum class Scaling {
 };
 
 /// What a scene weighs its constraints with.
-struct Weights : TermWeights {
+struct Weights {
   double lateral = 5;
   double vertical = 40;
+  double angle = 1;
 };
 
 /// One flat layer of square cells whose struts rest at L0 (paper, in-plane stage).

@@ -29,6 +29,31 @@ double shortestRest(const StrutGrid& grid) {
   return shortest;
 }
 
+/// Of a corner between bars of lengths a, b that are welded and free at their ends: springs with
+/// this weight resist its shear as the bars do. bendingA, bendingB: EI.
+double cornerWeight(double a, double bendingA, double b, double bendingB) {
+  return 1.5 * (a * a + b * b) / ((a / bendingA + b / bendingB) * a * a * b * b);
+}
+
+/// Springs with the stiffness of bars, and corners that resist as bars bend. length: mean rest
+/// length of the lateral ones.
+void weighAsBars(StrutGrid& grid, const Bars& bars, double length) {
+  const double inPlane = bars.lateral.bendingN;
+  grid.weights.angle = cornerWeight(length, inPlane, length, inPlane);
+  grid.printedCorners = bars.printed;
+  if (grid.shape.layers == 1) {
+    return;
+  }
+  forEachStrut(grid.shape, [&](const Strut& strut) {
+    if (!strut.isLateral()) {
+      valueAt(grid.stiffness, strut) = bars.upright.stretching / (2 * valueAt(grid.rest, strut));
+    }
+  });
+  const double height = grid.rest.w.front();
+  grid.weights.postAngle =
+      cornerWeight(length, bars.lateral.bendingB, height, bars.upright.bendingN);
+}
+
 }  // namespace
 
 BarSizes barSizesOf(const MaterialRequest& material, double meanLength) {
@@ -39,34 +64,40 @@ BarSizes barSizesOf(const MaterialRequest& material, double meanLength) {
           .joint = material.jointRadius.value_or(kJointShare * width)};
 }
 
-void weld(StrutGrid& grid, const MaterialRequest& material) {
-  if (material.model != Model::frame) {
+void applyMaterial(StrutGrid& grid, const MaterialRequest& material) {
+  if (material.model == Model::paper) {
     return;
   }
-  const BarSizes sizes = barSizesOf(material, meanOfLateral(grid, grid.rest));
+  const double length = meanOfLateral(grid, grid.rest);
+  const BarSizes sizes = barSizesOf(material, length);
+  const double modulus =
+      2 * meanOfLateral(grid, grid.stiffness) * length / (sizes.width * sizes.height);
+  const auto section = [&](double width, double height) {
+    return rectangularSection({.width = width,
+                               .height = height,
+                               .poisson = material.poisson,
+                               .joint = sizes.joint,
+                               .isShearing = false},
+                              modulus);
+  };
+  const Bars bars{section(sizes.width, sizes.height), section(sizes.post, sizes.post),
+                  grid.positions};
+  if (material.model == Model::bars) {
+    weighAsBars(grid, bars, length);
+    return;
+  }
   if (2 * sizes.joint >= shortestRest(grid)) {
     throw InputError(fmt::format(
         "material.joint_radius must be less than half of the shortest strut, {:.3g}, got {:.3g}: "
         "lower it or material.bar_width",
         shortestRest(grid) / 2, sizes.joint));
   }
-  const double modulus = 2 * meanOfLateral(grid, grid.stiffness) * meanOfLateral(grid, grid.rest) /
-                         (sizes.width * sizes.height);
-  const auto section = [&](double across, double high) {
-    return rectangularSection({.width = across,
-                               .height = high,
-                               .poisson = material.poisson,
-                               .joint = sizes.joint,
-                               .isShearing = false},
-                              modulus);
-  };
-  grid.bars =
-      Bars{section(sizes.width, sizes.height), section(sizes.post, sizes.post), grid.positions};
+  grid.bars = bars;
 }
 
 std::vector<std::string> adviseOnBars(const StrutGrid& grid, const MaterialRequest& material) {
   std::vector<std::string> notices;
-  if (material.model != Model::frame) {
+  if (material.model == Model::paper) {
     return notices;
   }
   const BarSizes sizes = barSizesOf(material, meanOfLateral(grid, grid.rest));

@@ -11,10 +11,16 @@ namespace morphgrid {
 /// What the struts are to the solver.
 enum class Model {
   paper,  ///< Springs, and corners with weights that the scene chooses, as in the paper.
+  bars,   ///< Springs that stand for bars: weighed by their size, corners rest as printed.
   frame,  ///< Bars that are welded to joints at the angles at which they were printed.
 };
-inline constexpr std::array kModelWords = {"paper", "frame"};
+inline constexpr std::array kModelWords = {"paper", "bars", "frame"};
 constexpr const char* nameOf(Model model) { return kModelWords[static_cast<std::size_t>(model)]; }
+constexpr Mechanics mechanicsOf(Model model) {
+  constexpr std::array kMechanics = {Mechanics::springs, Mechanics::springsAsPrinted,
+                                     Mechanics::frame};
+  return kMechanics[static_cast<std::size_t>(model)];
+}
 
 /// What the struts are made of. Lengths in the scene's unit, > 0.
 struct MaterialRequest {
@@ -36,12 +42,12 @@ struct BarSizes {
 };
 BarSizes barSizesOf(const MaterialRequest& material, double meanLength);
 
-/// Turns the struts of a stacked grid, at the positions where it is printed, into welded bars where
-/// the model asks for it. The modulus makes EA of lateral bars twice the mean stiffness of springs
-/// times the mean rest length, so that energies of both models are of one size. Bars do not shear:
-/// with rigid joints of a quarter of their width that comes closest to solids (docs/method.md).
-/// Throws InputError when joints leave nothing of a strut.
-void weld(StrutGrid& grid, const MaterialRequest& material);
+/// Makes of the struts of a stacked grid, at the positions where it is printed, what the model
+/// says. The modulus makes EA of lateral bars twice the mean stiffness of springs times the mean
+/// rest length, so that energies of all models are of one size. Bars do not shear: with rigid
+/// joints of a quarter of their width that comes closest to solids (docs/method.md, A frame of
+/// welded bars; Springs for bars). Throws InputError when joints leave nothing of a strut.
+void applyMaterial(StrutGrid& grid, const MaterialRequest& material);
 
 /// What cannot be printed of a welded grid, with the way out, for the user.
 std::vector<std::string> adviseOnBars(const StrutGrid& grid, const MaterialRequest& material);

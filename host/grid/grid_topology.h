@@ -24,11 +24,12 @@ struct Strut {
   bool isLateral() const { return direction != Direction::w; }
 };
 
-/// A right angle to be kept: vertex indices of the apex and of the ends of its two arms.
+/// An angle to be kept: vertex indices of the apex and of the ends of its two arms.
 struct Corner {
   int apex;
   int a;
   int b;
+  bool isLateral;  ///< Between two struts of a layer, not a strut and a post.
 };
 
 /// A cell of a layer, the paper's node.
@@ -148,8 +149,8 @@ void forEachLateralStrut(const GridShape& shape, Visit visit) {
   });
 }
 
-/// visit(std::array<int, 4>): the vertices, in a ring, of each cell and of each upright rectangle
-/// between a lateral strut and the one above it.
+/// visit(std::array<int, 4>, bool isLateral): the vertices, in a ring, of each cell and of each
+/// upright rectangle between a lateral strut and the one above it.
 template <typename Visit>
 void forEachFace(const GridShape& shape, Visit visit) {
   const ivec3 size = sizeOf(shape);
@@ -161,7 +162,7 @@ void forEachFace(const GridShape& shape, Visit visit) {
     const int from = shape.index(place);
     const auto visitSpan = [&](const ivec3& steps, int a, int b) {
       if (hasSpan(size, low, low + steps)) {
-        visit(std::array{from, from + a, from + a + b, from + b});
+        visit(std::array{from, from + a, from + a + b, from + b}, steps.z == 0);
       }
     };
     visitSpan({1, 1, 0}, u, v);
@@ -173,9 +174,9 @@ void forEachFace(const GridShape& shape, Visit visit) {
 /// visit(Corner): the four of each face; up to 12 have a vertex as their apex.
 template <typename Visit>
 void forEachCorner(const GridShape& shape, Visit visit) {
-  forEachFace(shape, [&](const std::array<int, 4>& ring) {
+  forEachFace(shape, [&](const std::array<int, 4>& ring, bool isLateral) {
     for (int n = 0; n < 4; ++n) {
-      visit(Corner{ring[n], ring[(n + 1) % 4], ring[(n + 3) % 4]});
+      visit(Corner{ring[n], ring[(n + 1) % 4], ring[(n + 3) % 4], isLateral});
     }
   });
 }

@@ -66,6 +66,17 @@ void validateBars(const StrutGrid& grid) {
   });
 }
 
+void validatePrintedCorners(const StrutGrid& grid) {
+  const Eigen::Matrix3Xd& printed = *grid.printedCorners;
+  if (printed.cols() != grid.shape.vertexCount() || !printed.allFinite()) {
+    throw InputError(fmt::format("corners as printed need {} finite positions, got {}",
+                                 grid.shape.vertexCount(), printed.cols()));
+  }
+  forEachLateralStrut(grid.shape, [&](const Strut& strut) {
+    requirePositive(lengthAt(printed, strut), "the printed length", strut);
+  });
+}
+
 }  // namespace
 
 void validate(const StrutGrid& grid) {
@@ -103,6 +114,9 @@ void validate(const StrutGrid& grid) {
   });
   if (grid.bars) {
     validateBars(grid);
+  }
+  if (grid.printedCorners) {
+    validatePrintedCorners(grid);
   }
 }
 

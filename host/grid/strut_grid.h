@@ -30,7 +30,18 @@ struct StrutGrid {
   /// Its struts as welded bars: then vertices are joints that turn, and stiffness and weights are
   /// of no account.
   std::optional<Bars> bars = std::nullopt;
+  /// 3 x vertexCount, positions as printed: then corners in a layer rest at the angles that they
+  /// have there, else at 90 degrees. Not beside bars, which have their own.
+  std::optional<Eigen::Matrix3Xd> printedCorners = std::nullopt;
 };
+
+/// What its struts are: that decides which kernels solve it.
+enum class Mechanics { springs, springsAsPrinted, frame };
+
+inline Mechanics mechanicsOf(const StrutGrid& grid) {
+  if (grid.bars) return Mechanics::frame;
+  return grid.printedCorners ? Mechanics::springsAsPrinted : Mechanics::springs;
+}
 
 /// The value of a strut of the grid that the values belong to.
 template <typename Values>  // StrutValues or const StrutValues

@@ -48,9 +48,12 @@ PointKernel ColumnTransfer::matrixKernel() const {
     return kernel({device_, frame_column_matrix_comp_spirv, sizeof(FramePush), frame_->constants()},
                   std::move(resources));
   }
-  resources.push_back({kBindingRest, &gridTexels_.rest});
-  resources.push_back({kBindingStiffness, &gridTexels_.stiffness});
-  return kernel(family(column_matrix_comp_spirv), std::move(resources));
+  gridTexels_.appendTo(resources);
+  std::vector<std::uint32_t> constants(kColumnConstants);
+  constants[kConstantSubgroupSize] = device_.subgroupSize();
+  constants[kConstantPrintedCorners] = grid_.mechanics() == Mechanics::springsAsPrinted ? 1 : 0;
+  return kernel({device_, column_matrix_comp_spirv, sizeof(ColumnPush), std::move(constants)},
+                std::move(resources));
 }
 
 PointKernel ColumnTransfer::kernel(KernelFamily kernels,

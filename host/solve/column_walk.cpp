@@ -18,11 +18,12 @@ std::uint32_t groupsFor(int count, std::uint32_t groupSize) {
 
 GridPush gridPushOf(const DeviceGrid& grid) {
   const auto stiffness = grid.uniformStiffness().value_or(UniformStiffness{});
-  const auto& [angleWeight] = grid.weights();  // Names all of them, or does not compile.
+  const auto& [angle, postAngle] = grid.weights();  // Names all of them, or does not compile.
   return {.size = sizeOf(grid.shape()),
           .resolution = static_cast<float>(grid.resolution()),
           .restResolution = static_cast<float>(grid.restResolution()),
-          .angleWeight = static_cast<float>(angleWeight),
+          .angleWeight = static_cast<float>(angle),
+          .postAngleWeight = static_cast<float>(postAngle),
           .lateralStiffness = stiffness.lateral,
           .verticalStiffness = stiffness.vertical};
 }
@@ -43,6 +44,7 @@ std::vector<std::uint32_t> ColumnWalk::constants(bool measures) const {
   constants[kConstantLayers] = unrolled ? layers : 0;
   constants[kConstantUniformStiffness] = grid_.uniformStiffness() ? 1 : 0;
   constants[kConstantMeasures] = measures ? 1 : 0;
+  constants[kConstantPrintedCorners] = grid_.mechanics() == Mechanics::springsAsPrinted ? 1 : 0;
   return constants;
 }
 
@@ -55,6 +57,14 @@ TexelView floatTexels(const Device& device, const Buffer& buffer) {
 }
 
 GridTexels::GridTexels(const Device& device, const DeviceGrid& grid)
-    : rest(integerTexels(device, grid.rest())), stiffness(floatTexels(device, grid.stiffness())) {}
+    : rest_(integerTexels(device, grid.rest())),
+      stiffness_(floatTexels(device, grid.stiffness())),
+      printed_(floatTexels(device, grid.printed())) {}
+
+void GridTexels::appendTo(std::vector<KernelResource>& resources) const {
+  resources.insert(
+      resources.end(),
+      {{kBindingRest, &rest_}, {kBindingStiffness, &stiffness_}, {kBindingPrinted, &printed_}});
+}
 
 }  // namespace morphgrid

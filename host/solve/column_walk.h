@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "gpu/buffer.h"
+#include "gpu/compute_kernel.h"
 #include "shared/solver_types.h"
 #include "solve/device_grid.h"
 
@@ -51,11 +52,16 @@ TexelView integerTexels(const Device& device, const Buffer& buffer);
 TexelView floatTexels(const Device& device, const Buffer& buffer);
 
 /// Views of what does not change while a grid is solved.
-struct GridTexels {
-  TexelView rest;
-  TexelView stiffness;
-
+class GridTexels {
+ public:
   GridTexels(const Device& device, const DeviceGrid& grid);
+
+  void appendTo(std::vector<KernelResource>& resources) const;
+
+ private:
+  TexelView rest_;
+  TexelView stiffness_;
+  TexelView printed_;
 };
 
 }  // namespace morphgrid

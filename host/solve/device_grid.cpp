@@ -124,11 +124,11 @@ std::optional<DeviceFrame> frameOf(const StrutGrid& grid) {
                      static_cast<float>(upright.joint / grid.spacing)};
 }
 
-/// See FramePush.
-std::vector<vec4> packPrinted(const StrutGrid& grid) {
-  std::vector<vec4> packed(grid.shape.vertexCount(), vec4(1, 0, 0, 1));
-  forEachLateralStrut(grid.shape, [&](const Strut& strut) {
-    const Eigen::Vector3d along = printedDirection(*grid.bars, strut);
+/// See kBindingPrinted.
+std::vector<vec4> packDirections(const GridShape& shape, const Eigen::Matrix3Xd& printed) {
+  std::vector<vec4> packed(shape.vertexCount(), vec4(1, 0, 0, 1));
+  forEachLateralStrut(shape, [&](const Strut& strut) {
+    const Eigen::Vector3d along = (printed.col(strut.to) - printed.col(strut.from)).normalized();
     const int first = strut.direction == Strut::Direction::u ? 0 : 2;
     packed[strut.from][first] = static_cast<float>(along.x());
     packed[strut.from][first + 1] = static_cast<float>(along.y());
@@ -146,26 +146,25 @@ std::vector<vec4> packStiffness(const StrutValues& stiffness) {
 
 }  // namespace
 
-DeviceGrid::Storage::Storage(const Device& device, const GridShape& shape, bool isFrame)
-    : positions(texelBuffer(device, (isFrame ? 2 : 1) * std::uint64_t(shape.vertexCount()))),
+DeviceGrid::Storage::Storage(const Device& device, const GridShape& shape, Mechanics mechanics)
+    : positions(texelBuffer(
+          device, (mechanics == Mechanics::frame ? 2 : 1) * std::uint64_t(shape.vertexCount()))),
       previousPositions(texelBuffer(device, positions.bytes() / sizeof(ivec4))),
       rest(texelBuffer(device, shape.vertexCount())),
-      stiffness(texelBuffer(device, shape.vertexCount())) {
-  if (isFrame) {
-    printed.emplace(texelBuffer(device, shape.vertexCount()));
-  }
-}
+      stiffness(texelBuffer(device, shape.vertexCount())),
+      printed(texelBuffer(device, mechanics == Mechanics::springs ? 1 : shape.vertexCount())) {}
 
 DeviceGrid::DeviceGrid(const Device& device, const StrutGrid& grid)
     : device_(device),
       shape_(validated(grid).shape),
       resolution_(chooseResolution(grid.shape)),
-      storage_(std::make_shared<Storage>(device, shape_, grid.bars.has_value())) {
+      mechanics_(mechanicsOf(grid)),
+      storage_(std::make_shared<Storage>(device, shape_, mechanics_)) {
   take(grid);
 }
 
 void DeviceGrid::assign(const StrutGrid& grid) {
-  assert(grid.shape == shape_ && grid.bars.has_value() == isFrame());
+  assert(grid.shape == shape_ && mechanicsOf(grid) == mechanics_);
   take(validated(grid));
 }
 
@@ -180,9 +179,12 @@ void DeviceGrid::take(const StrutGrid& grid) {
   storage_->stepsPerForce = (2 * energy.constraintWeights()).cwiseInverse();
   frame_ = frameOf(grid);
   if (frame_) {
-    upload(device_, *storage_->printed, packPrinted(grid));
+    upload(device_, storage_->printed, packDirections(shape_, grid.bars->printed));
     uploadPositions(grid.positions, unturnedJoints(shape_.vertexCount()));
   } else {
+    if (grid.printedCorners) {
+      upload(device_, storage_->printed, packDirections(shape_, *grid.printedCorners));
+    }
     uploadPositions(grid.positions, {});
   }
   uploadRest(grid.rest);

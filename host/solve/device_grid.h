@@ -54,7 +54,8 @@ class DeviceGrid {
   const Eigen::Vector3d& origin() const { return origin_; }
 
   /// Whether its struts are welded bars, so that vertices turn too.
-  bool isFrame() const { return frame_.has_value(); }
+  bool isFrame() const { return mechanics_ == Mechanics::frame; }
+  Mechanics mechanics() const { return mechanics_; }
   const DeviceFrame& frame() const { return *frame_; }
   /// Texels of a vector of the solver: one a vertex, and in frames another for its turn.
   int vectorLength() const { return (isFrame() ? 2 : 1) * shape_.vertexCount(); }
@@ -71,8 +72,8 @@ class DeviceGrid {
   const Buffer& rest() const { return storage_->rest; }
   /// vec4 a vertex: stiffnesses of the struts to +u, +v, +w.
   const Buffer& stiffness() const { return storage_->stiffness; }
-  /// vec4 a vertex of a frame: how its bars to +u and +v were printed, see FramePush.
-  const Buffer& printed() const { return *storage_->printed; }
+  /// vec4 a vertex, unless corners rest at right angles: printed directions, see kBindingPrinted.
+  const Buffer& printed() const { return storage_->printed; }
   /// Empty when stiffnesses differ.
   const std::optional<UniformStiffness>& uniformStiffness() const { return uniformStiffness_; }
 
@@ -93,11 +94,11 @@ class DeviceGrid {
     Buffer previousPositions;
     Buffer rest;
     Buffer stiffness;
-    std::optional<Buffer> printed;
+    Buffer printed;
     Eigen::VectorXd stepsPerForce;
     std::atomic<bool> newestIsFirst = true;
 
-    Storage(const Device& device, const GridShape& shape, bool isFrame);
+    Storage(const Device& device, const GridShape& shape, Mechanics mechanics);
   };
 
   DeviceGrid(const DeviceGrid&) = default;  // For onlooker().
@@ -106,6 +107,7 @@ class DeviceGrid {
   const Device& device_;
   GridShape shape_;
   double resolution_;
+  Mechanics mechanics_;
   double spacing_ = 1;
   std::optional<DeviceFrame> frame_;
   TermWeights weights_;

@@ -55,8 +55,7 @@ GridGradient::Evaluation GridGradient::evaluation(const Buffer& positions,
   if (frame_) {
     frame_->appendResources(resources);
   } else {
-    resources.insert(resources.end(),
-                     {{kBindingRest, &texels_.rest}, {kBindingStiffness, &texels_.stiffness}});
+    texels_.appendTo(resources);
   }
   ComputeKernel kernel = kernels_.bind(resources);
   return {std::move(view), std::move(kernel)};

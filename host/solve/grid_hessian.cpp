@@ -23,20 +23,23 @@ GridHessian::GridHessian(const Device& device, const DeviceGrid& grid, LayerLoop
       residuals_(device, hessian_residual_comp_spirv, sizeof(HessianPush), walk_.constants()),
       smoothings_(device, hessian_smoothing_comp_spirv, sizeof(HessianPush), {}),
       firstSmoothings_(device, hessian_first_smoothing_comp_spirv, sizeof(HessianPush), {}),
-      blocks_(device, hessian_blocks_comp_spirv,
-              {{kBindingPositions, &positionsView()},
-               {kBindingRest, &texels_.rest},
-               {kBindingStiffness, &texels_.stiffness},
-               {kBindingInverseDiagonal, &inverseDiagonal_.buffer()},
-               {kBindingInverseOffDiagonal, &inverseOffDiagonal_.buffer()}},
-              sizeof(HessianPush), {device.subgroupSize()}) {}
+      blocks_(device, hessian_blocks_comp_spirv, resourcesOfBlocks(), sizeof(HessianPush),
+              walk_.constants()) {}
+
+std::vector<KernelResource> GridHessian::resourcesOfBlocks() const {
+  std::vector<KernelResource> resources{
+      {kBindingPositions, &positionsView()},
+      {kBindingInverseDiagonal, &inverseDiagonal_.buffer()},
+      {kBindingInverseOffDiagonal, &inverseOffDiagonal_.buffer()}};
+  texels_.appendTo(resources);
+  return resources;
+}
 
 Hessian::Step GridHessian::columnStep(KernelFamily& kernels, const VertexVector& z,
                                       const VertexVector& result,
                                       std::vector<KernelResource> others) {
+  texels_.appendTo(others);
   others.insert(others.end(), {{kBindingPositions, &positionsView()},
-                               {kBindingRest, &texels_.rest},
-                               {kBindingStiffness, &texels_.stiffness},
                                {kBindingVector, &z.texels()},
                                {kBindingResult, &result.buffer()}});
   return {kernels.bind(others), Step::Dispatch::columns};

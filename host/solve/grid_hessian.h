@@ -28,6 +28,7 @@ class GridHessian : public Hessian {
 
  private:
   HessianPush push() const;
+  std::vector<KernelResource> resourcesOfBlocks() const;
   Step columnStep(KernelFamily& kernels, const VertexVector& z, const VertexVector& result,
                   std::vector<KernelResource> others);
 

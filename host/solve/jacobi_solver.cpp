@@ -62,13 +62,13 @@ JacobiSolver::SweepKernels JacobiSolver::sweepKernels(ShaderCode spirv,
   // From `from` to the buffer that `previous` is a view of.
   const auto resources = [&](const TexelView& from, const TexelView& previous,
                              const Buffer& to) -> std::vector<KernelResource> {
-    return {{kBindingPositions, &from},
-            {kBindingPreviousPositions, &previous},
-            {kBindingNextPositions, &to},
-            {kBindingRest, &texels_.rest},
-            {kBindingStiffness, &texels_.stiffness},
-            {kBindingState, &state_},
-            {kBindingPartials, &partials_}};
+    std::vector<KernelResource> all{{kBindingPositions, &from},
+                                    {kBindingPreviousPositions, &previous},
+                                    {kBindingNextPositions, &to},
+                                    {kBindingState, &state_},
+                                    {kBindingPartials, &partials_}};
+    texels_.appendTo(all);
+    return all;
   };
   const auto forth = resources(positionsView_, previousView_, deviceGrid_.previousPositions());
   const auto back = resources(previousView_, positionsView_, deviceGrid_.positions());

@@ -277,6 +277,9 @@ NestedGrid thickened(StrutGrid grid, const StrutGrid& finest, double wantedThick
                      thickened(finest.bars->upright, longer, thickness),
                      resampleLayers(finest.shape, finest.bars->printed, shape, thickness)};
   }
+  if (finest.printedCorners) {
+    grid.printedCorners = resampleLayers(finest.shape, *finest.printedCorners, shape, thickness);
+  }
   grid.positions = resampleLayers(finest.shape, finest.positions, shape, thickness);
   return {std::move(grid), thickness};
 }
@@ -296,8 +299,10 @@ void addHeavierCorners(std::vector<NestedGrid>& grids) {
   const double stiffness = meanLateralStiffness(grids.back().grid);
   while (grids.back().grid.weights.angle < kLightCorner * stiffness) {
     grids.push_back(grids.back());
-    double& weight = grids.back().grid.weights.angle;
-    weight = std::max(kCornerFactor * weight, kLightestCorner * stiffness);
+    TermWeights& weights = grids.back().grid.weights;
+    for (double* weight : {&weights.angle, &weights.postAngle}) {
+      *weight = std::max(kCornerFactor * *weight, kLightestCorner * stiffness);
+    }
   }
 }
 

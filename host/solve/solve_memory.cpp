@@ -17,9 +17,10 @@ constexpr std::uint64_t kGridTexels = 4;      // DeviceGrid
 constexpr std::uint64_t kStagingTexels = 1;   // A download on its way to the host.
 constexpr std::uint64_t kDescentTexels = 16;  // LbfgsVectors, VCycle, GridHessian
 constexpr std::uint64_t kVertexTexels = kGridTexels + kStagingTexels + kDescentTexels;
+constexpr std::uint64_t kPrintedTexels = 1;  // Directions.
 // Of a frame: two of positions, vectors and the Hessian's positions, printed directions, and blocks
 // of 6 x 6 for the two texels of 3 x 3.
-constexpr std::uint64_t kFrameTexels = 2 * (kVertexTexels - 2 - 2) + 2 + 1 + 9;
+constexpr std::uint64_t kFrameTexels = 2 * (kVertexTexels - 2 - 2) + 2 + kPrintedTexels + 9;
 constexpr std::uint64_t kAdjointTexels = 2;  // AdjointSolver, beside the descent's.
 
 // Texels a point of a coarse level: the matrix and its inverse diagonal, centre, three motions and
@@ -32,6 +33,12 @@ constexpr std::uint64_t kHostBytesPerVertex = 1000;
 // Two lateral struts a vertex: ten pairs of L-BFGS, again in a checkpoint and in the bytes of one
 // that is read.
 constexpr std::uint64_t kInverseHostBytesPerVertex = 1800;
+
+std::uint64_t texelsOf(Mechanics mechanics) {
+  if (mechanics == Mechanics::frame) return kFrameTexels;
+  const bool isPrinted = mechanics == Mechanics::springsAsPrinted;
+  return kVertexTexels + (isPrinted ? kPrintedTexels : 0);
+}
 
 std::uint64_t vertices(const GridShape& shape) {
   return std::uint64_t(shape.verticesU) * shape.verticesV * shape.layers;
@@ -50,9 +57,9 @@ std::uint64_t inverseTexels(const GridShape& shape) {
 
 }  // namespace
 
-SolveMemory multigridMemory(const GridShape& shape, bool isFrame) {
-  const std::uint64_t texels = (isFrame ? kFrameTexels : kVertexTexels) * vertices(shape) +
-                               kPointTexels * points(shape) + inverseTexels(shape);
+SolveMemory multigridMemory(const GridShape& shape, Mechanics mechanics) {
+  const std::uint64_t texels =
+      texelsOf(mechanics) * vertices(shape) + kPointTexels * points(shape) + inverseTexels(shape);
   const auto partTexels = [&](int rows) {
     return kPartTexels * static_cast<std::uint64_t>(shape.verticesU) *
            static_cast<std::uint64_t>(rows);
@@ -62,9 +69,10 @@ SolveMemory multigridMemory(const GridShape& shape, bool isFrame) {
           kTexel * std::max(vertices(shape), partTexels(std::min(shape.verticesV, kChunkRows)))};
 }
 
-SolveMemory inverseDesignMemory(const GridShape& shape, bool isFrame) {
-  SolveMemory memory = multigridMemory(shape, isFrame);
-  memory.device += kTexel * kAdjointTexels * (isFrame ? 2 : 1) * vertices(shape);
+SolveMemory inverseDesignMemory(const GridShape& shape, Mechanics mechanics) {
+  SolveMemory memory = multigridMemory(shape, mechanics);
+  memory.device +=
+      kTexel * kAdjointTexels * (mechanics == Mechanics::frame ? 2 : 1) * vertices(shape);
   memory.host += kInverseHostBytesPerVertex * vertices(shape);
   return memory;
 }

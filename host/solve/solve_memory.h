@@ -15,10 +15,10 @@ struct SolveMemory {
 };
 
 /// MultigridSolver, with checkpoints.
-SolveMemory multigridMemory(const GridShape& shape, bool isFrame = false);
+SolveMemory multigridMemory(const GridShape& shape, Mechanics mechanics = Mechanics::springs);
 
 /// MultigridSolver with adjoints, and what inverse design keeps on the host, with checkpoints.
-SolveMemory inverseDesignMemory(const GridShape& shape, bool isFrame = false);
+SolveMemory inverseDesignMemory(const GridShape& shape, Mechanics mechanics = Mechanics::springs);
 
 /// A stage of JacobiSolver, with checkpoints.
 SolveMemory jacobiMemory(const GridShape& shape);

@@ -67,7 +67,7 @@ TermWeights readWeights(const ArrayReader& reader) {
   for (const TermWeight& weight : kTermWeights) {
     const std::string array = weightArray(weight);
     weights.*weight.value =
-        weight.before ? reader.number(array, *weight.before) : reader.number(array);
+        weight.before ? reader.number(array, weights.*weight.before) : reader.number(array);
   }
   return weights;
 }

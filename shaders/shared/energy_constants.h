@@ -18,9 +18,11 @@ CONSTANT float kLeastSquare = 1e-10f;
 // collinear or missing; far below the rounding of t^2 elsewhere.
 CONSTANT float kLeastDiscriminant = 1e-14f;
 
-// Where edges are collinear a corner's residual has no derivative: its Hessians add this share of
-// t^2 to R^2.
-CONSTANT float kLeastSine2 = 1e-6f;
+// Where edges are collinear a corner's residual has no derivative: its Hessians add the square of
+// this share of t to R^2, and where it divides by A (energy/corner.glsl), that is no less than this
+// share of t.
+CONSTANT float kLeastSine = 1e-3f;
+CONSTANT float kLeastSine2 = 1e-6f;  // Its square.
 
 #ifdef __cplusplus
 }  // namespace morphgrid

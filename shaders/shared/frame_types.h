@@ -21,7 +21,6 @@ CONSTANT uint kRotationBits = 30u;
 CONSTANT uint kConstantJointsTurn = 1u;
 
 // Bindings beside those of solver_types.h and multigrid_types.h.
-CONSTANT uint kBindingPrinted = 62u;  // texels, vec4 a vertex: see FramePush
 
 // How stiff a bar is: lengths in spacings, energies in stiffness x spacing^2.
 struct DeviceBarSection {
@@ -33,10 +32,10 @@ struct DeviceBarSection {
 };
 
 // What every kernel of a frame gets. Bars rest at grid's rest lengths, less the rigid parts at both
-// ends. As printed, lateral bars lie in planes of equal z: the texel of a vertex holds the cosine
-// and the sine of the directions of its bars to +u (xy) and to +v (zw). Posts stand along z.
+// ends. As printed, lateral bars lie in planes of equal z, along kBindingPrinted's directions, and
+// posts stand along z.
 struct FramePush {
-  GridPush grid;  // Angle weight and stiffnesses are not used.
+  GridPush grid;  // Angle weights and stiffnesses are not used.
   DeviceBarSection lateral;
   DeviceBarSection upright;
   float lateralJoint;  // Half the width of the rigid joint at a lateral bar's end; spacings.

@@ -45,6 +45,7 @@ CONSTANT uint kBindingNextPositions = 1u;  // buffer, ivec4 a vertex; holds the 
 CONSTANT uint kBindingPreviousPositions = 7u;  // the same buffer as texels
 CONSTANT uint kBindingRest = 2u;               // texels, ivec4 a vertex: rest lengths and step
 CONSTANT uint kBindingStiffness = 3u;          // texels, vec4 a vertex: w c of +u, +v, +w
+CONSTANT uint kBindingPrinted = 62u;           // texels, vec4 a vertex, see below
 CONSTANT uint kBindingState = 4u;              // buffer, SolverState
 CONSTANT uint kBindingPartials = 5u;  // buffer, vec4 a workgroup: energy, |g|^2, g.velocity
 CONSTANT uint kBindingSamples = 6u;   // buffer, SolverSample
@@ -55,19 +56,24 @@ CONSTANT uint kConstantSubgroupSize = 0u;
 CONSTANT uint kConstantLayers = 1u;            // 0: known at run time only; works for any number.
 CONSTANT uint kConstantUniformStiffness = 2u;  // bool
 CONSTANT uint kConstantMeasures = 3u;          // bool, of the sweep
-CONSTANT uint kColumnConstants = 4u;           // how many there are
+CONSTANT uint kConstantPrintedCorners = 4u;    // bool: corners in a layer rest as printed
+CONSTANT uint kColumnConstants = 5u;           // how many there are
 
 // Rest lengths are an ivec4 a vertex: L of its struts to +u, +v and +w in fixed point, and in w the
 // bits of a float: how far the vertex steps per unit of force.
+
+// Where struts were printed at an angle that they keep, the texel of a vertex holds the cosine and
+// the sine of the printed directions of its struts to +u (xy) and to +v (zw) in the sheet's plane.
 
 // What every walk through the columns (columns.glsl) needs. Lengths are in units of the spacing,
 // energies in stiffness x spacing^2. GLSL rounds its size up to the ivec3's alignment, 16 bytes:
 // what follows it lies behind that.
 struct ALIGN_AS_GLSL GridPush {
-  ivec3 size;            // Vertices of the grid, see topology.h.
-  float resolution;      // Spacings per step of the fixed-point positions, a power of two.
-  float restResolution;  // Spacings per step of the fixed-point rest lengths, a power of two.
-  float angleWeight;
+  ivec3 size;              // Vertices of the grid, see topology.h.
+  float resolution;        // Spacings per step of the fixed-point positions, a power of two.
+  float restResolution;    // Spacings per step of the fixed-point rest lengths, a power of two.
+  float angleWeight;       // Of corners in a layer.
+  float postAngleWeight;   // Of corners between a layer and its posts.
   float lateralStiffness;  // Used where stiffness is uniform: kUniformStiffness of columns.glsl.
   float verticalStiffness;
 };

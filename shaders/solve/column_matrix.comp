@@ -5,12 +5,12 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_control_flow_attributes : require
-#include "energy/corner.glsl"
 #include "energy/strut.glsl"
 #include "shared/multigrid_types.h"
 #include "solve/block.glsl"
 #include "solve/columns_of_points.glsl"
 #include "solve/point_rows.glsl"
+#include "solve/printed_corners.glsl"
 #include "solve/store_stencil.glsl"
 
 layout(local_size_x_id = kConstantSubgroupSize) in;
@@ -45,14 +45,13 @@ Motion rowOf(vec3 derivative, Vertex vertex) {
 }
 
 // Neighbours in a ring: previous, apex, next.
-Derivative differentiate(Vertex previous, Vertex apex, Vertex next) {
+Derivative differentiate(float weight, vec2 restAngle, Vertex previous, Vertex apex, Vertex next) {
   Edge toNext = edgeBetween(apex.position, next.position, push.grid.resolution);
   Edge toPrevious = edgeBetween(apex.position, previous.position, push.grid.resolution);
-  CornerJacobian j = cornerJacobian(toNext, toPrevious);
-  vec3 ofNext = j.own * toNext.arm + j.other * toPrevious.arm;
-  vec3 ofPrevious = j.own * toPrevious.arm + j.other * toNext.arm;
-  return Derivative(push.grid.angleWeight * j.weight,
-                    rowOf(-(ofNext + ofPrevious), apex), rowOf(ofNext, next),
+  CornerJacobian j = cornerJacobian(toNext, toPrevious, restAngle);
+  vec3 ofNext = j.ownA * toNext.arm + j.other * toPrevious.arm;
+  vec3 ofPrevious = j.ownB * toPrevious.arm + j.other * toNext.arm;
+  return Derivative(weight * j.weight, rowOf(-(ofNext + ofPrevious), apex), rowOf(ofNext, next),
                     rowOf(ofPrevious, previous));
 }
 
@@ -64,15 +63,24 @@ void addRing(float weight, Motion rowP, Motion rowA, Motion rowD, Motion rowB) {
   addOuter(withB, weight, rowP, rowB);
 }
 
+// The corner that previous, apex and next make in a layer.
+Derivative differentiateLateral(ivec3 atPrevious, ivec3 atApex, ivec3 atNext, Vertex previous,
+                                Vertex apex, Vertex next) {
+  vec2 restAngle = restAngleAt(push.grid.size, atApex, atNext, atPrevious);
+  return differentiate(push.grid.angleWeight, restAngle, previous, apex, next);
+}
+
 // The ring p, a, d, b in one layer; the corner at d leaves p alone.
 void addLateralFace(float share, int layer) {
   Vertex atP = vertexAt(p, layer, centreP), atA = vertexAt(a, layer, centreA);
   Vertex atB = vertexAt(b, layer, centreB), atD = vertexAt(d, layer, centreD);
-  Derivative c = differentiate(atB, atP, atA);
+  ivec3 placeP = ivec3(p, layer), placeA = ivec3(a, layer);
+  ivec3 placeB = ivec3(b, layer), placeD = ivec3(d, layer);
+  Derivative c = differentiateLateral(placeB, placeP, placeA, atB, atP, atA);
   addRing(share * c.weight, c.apex, c.next, kNoMotion, c.previous);
-  c = differentiate(atP, atA, atD);
+  c = differentiateLateral(placeP, placeA, placeD, atP, atA, atD);
   addRing(share * c.weight, c.previous, c.apex, c.next, kNoMotion);
-  c = differentiate(atD, atB, atP);
+  c = differentiateLateral(placeD, placeB, placeP, atD, atB, atP);
   addRing(share * c.weight, c.next, kNoMotion, c.previous, c.apex);
 }
 
@@ -81,17 +89,21 @@ void addWithinColumns(float weight, Motion rowP, Motion rowA) {
   addOuter(withA, weight, rowP, rowA);
 }
 
+Derivative differentiateUpright(Vertex previous, Vertex apex, Vertex next) {
+  return differentiate(push.grid.postAngleWeight, kRightAngle, previous, apex, next);
+}
+
 // The ring p, a, then a, p in the layer above.
 void addVerticalFace(float share, int layer) {
   Vertex atP = vertexAt(p, layer, centreP), aboveP = vertexAt(p, layer + 1, centreP);
   Vertex atA = vertexAt(a, layer, centreA), aboveA = vertexAt(a, layer + 1, centreA);
-  Derivative c = differentiate(aboveP, atP, atA);
+  Derivative c = differentiateUpright(aboveP, atP, atA);
   addWithinColumns(share * c.weight, sum(c.apex, c.previous), c.next);
-  c = differentiate(atP, atA, aboveA);
+  c = differentiateUpright(atP, atA, aboveA);
   addWithinColumns(share * c.weight, c.previous, sum(c.apex, c.next));
-  c = differentiate(atA, aboveA, aboveP);
+  c = differentiateUpright(atA, aboveA, aboveP);
   addWithinColumns(share * c.weight, c.next, sum(c.apex, c.previous));
-  c = differentiate(aboveA, aboveP, atP);
+  c = differentiateUpright(aboveA, aboveP, atP);
   addWithinColumns(share * c.weight, sum(c.apex, c.next), c.previous);
 }
 

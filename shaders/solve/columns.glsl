@@ -17,9 +17,9 @@
 #if !defined(GRID) || !defined(DAMPING) || !defined(Sum)
 #error define GRID, DAMPING and Sum before the walk
 #endif
-#include "energy/corner.glsl"
 #include "energy/strut.glsl"
 #include "shared/topology.h"
+#include "solve/printed_corners.glsl"
 
 layout(local_size_x_id = kConstantSubgroupSize) in;  // A part of a row of blocks.
 layout(constant_id = kConstantLayers) const int kLayers = 0;
@@ -80,6 +80,7 @@ Vertex here[kRingV][kRingU], above[kRingV][kRingU];
 Edge east[kRingV][kRingU], north[kRingV][kRingU], up[kRingV][kRingU], down[kRingV][kRingU];
 EdgeSum eastSum[kRingV][kRingU], northSum[kRingV][kRingU];
 EdgeSum upSum[kRingV][kRingU], downSum[kRingV][kRingU];
+vec4 directions[kRingV][kRingU];  // As printed, see kBindingPrinted.
 ivec4 rest[kRingV][kRingU];
 vec3 stiffness[kRingV][kRingU];
 VertexSum vertexSum[kRingV][kRingU], vertexSumBelow[kRingV][kRingU];
@@ -123,33 +124,42 @@ void addEnergy(bool counted, Squared term) {
   }
 }
 
-void addCorner(bool counted, Edge a, Edge b, inout EdgeSum sumOfA, inout EdgeSum sumOfB) {
-  CornerGradient corner = cornerTerm(kDerivative, a, b);
-  vec2 diagonal = GRID.angleWeight * corner.diagonal;
-  vec2 coupling = GRID.angleWeight * corner.coupling;
-  sumOfA.factors += diagonal;
-  sumOfB.factors += diagonal;
+void addCorner(bool counted, float weight, vec2 restAngle, Edge a, Edge b, inout EdgeSum sumOfA,
+               inout EdgeSum sumOfB) {
+  CornerGradient corner = cornerTerm(kDerivative, a, b, restAngle);
+  vec2 coupling = weight * corner.coupling;
+  sumOfA.factors += weight * corner.ofA;
+  sumOfB.factors += weight * corner.ofB;
   sumOfA.gradient += scaled(b, coupling);
   sumOfB.gradient += scaled(a, coupling);
-  addEnergy(counted, GRID.angleWeight * corner.energy);
+  addEnergy(counted, weight * corner.energy);
+}
+
+// Of the edge to +u at [eastV][eastU] with that to +v at [northV][northU].
+void addLateralCorner(bool counted, int eastV, int eastU, int northV, int northU) {
+  vec2 restAngle = kPrintedCorners ? restAngleBetween(directions[eastV][eastU].xy,
+                                                      directions[northV][northU].zw)
+                                   : kRightAngle;
+  addCorner(counted, GRID.angleWeight, restAngle, east[eastV][eastU], north[northV][northU],
+            eastSum[eastV][eastU], northSum[northV][northU]);
 }
 
 // The corners of a cell in the layer: four edges, an apex at each end.
 void addCellCorners(int v, int u) {
-  addCorner(owned[v][u], east[v][u], north[v][u], eastSum[v][u], northSum[v][u]);
-  addCorner(owned[v][u + 1], east[v][u], north[v][u + 1], eastSum[v][u], northSum[v][u + 1]);
-  addCorner(owned[v + 1][u], east[v + 1][u], north[v][u], eastSum[v + 1][u], northSum[v][u]);
-  addCorner(owned[v + 1][u + 1], east[v + 1][u], north[v][u + 1], eastSum[v + 1][u],
-            northSum[v][u + 1]);
+  addLateralCorner(owned[v][u], v, u, v, u);
+  addLateralCorner(owned[v][u + 1], v, u, v, u + 1);
+  addLateralCorner(owned[v + 1][u], v + 1, u, v, u);
+  addLateralCorner(owned[v + 1][u + 1], v + 1, u, v, u + 1);
 }
 
 // The corners of a lateral edge with the vertical ones at [v][u].
 void addUprightCorners(int v, int u, Edge lateral, inout EdgeSum sum) {
   if (mayHaveUp) {
-    addCorner(owned[v][u], lateral, up[v][u], sum, upSum[v][u]);
+    addCorner(owned[v][u], GRID.postAngleWeight, kRightAngle, lateral, up[v][u], sum, upSum[v][u]);
   }
   if (mayHaveDown) {
-    addCorner(owned[v][u], lateral, down[v][u], sum, downSum[v][u]);
+    addCorner(owned[v][u], GRID.postAngleWeight, kRightAngle, lateral, down[v][u], sum,
+              downSum[v][u]);
   }
 }
 
@@ -194,6 +204,12 @@ void addStruts(int start) {
   }
 }
 
+void loadDirections(int start) {
+  if (kPrintedCorners) {
+    FOR_RING(v, u) { directions[v][u] = imageLoad(printed, start + ringIndex[v][u]); }
+  }
+}
+
 // The gradient with respect to an edge, at its ends.
 void addToEnds(Edge e, EdgeSum sum, inout VertexSum from, inout VertexSum to) {
   vec3 gradient = scaled(e, sum.factors + vec2(0, DAMPING)) + sum.gradient;
@@ -204,6 +220,7 @@ void addToEnds(Edge e, EdgeSum sum, inout VertexSum from, inout VertexSum to) {
 // Vertical edges wait for the corners of the layer above.
 void addLayer(int start) {
   layEdges();
+  loadDirections(start);
   addCorners();
   addStruts(start);
   FOR_RING(v, u) { vertexSum[v][u] = VertexSum(here[v][u], vec3(0), 0.0); }

@@ -5,8 +5,8 @@
 #extension GL_EXT_control_flow_attributes : require
 #include "shared/hessian_types.h"
 #include "shared/topology.h"
-#include "energy/corner.glsl"
 #include "energy/strut.glsl"
+#include "solve/printed_corners.glsl"
 #include "solve/symmetric_inverse.glsl"
 
 layout(local_size_x_id = kConstantSubgroupSize) in;
@@ -59,10 +59,12 @@ void addCorner(ivec3 apex, ivec3 armEnd, ivec3 otherEnd) {
   }
   Edge a = edgeBetween(apex, armEnd);
   Edge b = edgeBetween(apex, otherEnd);
-  CornerJacobian j = cornerJacobian(a, b);
-  vec3 atEnd = j.own * a.arm + j.other * b.arm;
-  vec3 atOtherEnd = j.own * b.arm + j.other * a.arm;
-  addOuter(push.grid.angleWeight * j.weight, vertex == apex ? atEnd + atOtherEnd : atEnd);
+  vec2 restAngle = restAngleAt(push.grid.size, apex, armEnd, otherEnd);
+  CornerJacobian j = cornerJacobian(a, b, restAngle);
+  vec3 atEnd = j.ownA * a.arm + j.other * b.arm;
+  vec3 atOtherEnd = j.ownB * b.arm + j.other * a.arm;
+  float weight = armEnd.z == otherEnd.z ? push.grid.angleWeight : push.grid.postAngleWeight;
+  addOuter(weight * j.weight, vertex == apex ? atEnd + atOtherEnd : atEnd);
 }
 
 // The corners whose apex is the vertex, and those at its neighbours with it as an end.

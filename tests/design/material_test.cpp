@@ -28,15 +28,37 @@ StrutGrid stacked() {
   return grid;
 }
 
-TEST(Weld, LeavesThePapersGridAlone) {
+TEST(ApplyMaterial, LeavesThePapersGridAlone) {
   StrutGrid grid = stacked();
-  weld(grid, {});
-  EXPECT_FALSE(grid.bars.has_value());
+  applyMaterial(grid, {});
+  EXPECT_EQ(mechanicsOf(grid), Mechanics::springs);
 }
 
-TEST(Weld, TakesBarsAFifthAsWideAsLong) {
+// EA = 2 w L = 12, EI = EA t^2 / 12 = 0.04; weights of frame.md: (w / 4) (t / L)^2, and that of
+// posts.
+TEST(ApplyMaterial, WeighsSpringsAsBars) {
   StrutGrid grid = stacked();
-  weld(grid, {.model = Model::frame});
+  applyMaterial(grid, {.model = Model::bars, .barWidth = 0.2});
+  EXPECT_EQ(mechanicsOf(grid), Mechanics::springsAsPrinted);
+  EXPECT_EQ(*grid.printedCorners, grid.positions);
+  EXPECT_NEAR(grid.weights.angle, 3.0 / 4 * 0.1 * 0.1, 1e-12);
+  EXPECT_NEAR(grid.weights.postAngle, 1.5 * 0.04 * (4 + 1) / ((2 + 1) * 4 * 1), 1e-12);
+  EXPECT_NEAR(grid.stiffness.w[0], 3 * 2.0 / 1, 1e-12);
+  EXPECT_EQ(grid.stiffness.u[0], 3);
+  validate(grid);
+}
+
+// Twice as wide, they bend in their plane with 8 times EI at twice EA.
+TEST(ApplyMaterial, WeighsCornersByTheirBarsBending) {
+  StrutGrid grid = stacked();
+  applyMaterial(grid, {.model = Model::bars, .barWidth = 0.4, .barHeight = 0.2, .postWidth = 0.2});
+  EXPECT_NEAR(grid.weights.angle, 3.0 / 4 * 0.2 * 0.2, 1e-12);
+  EXPECT_NEAR(grid.weights.postAngle, 1.5 * 0.04 * (4 + 1) / ((2 + 1.0 * 2) * 4 * 1), 1e-12);
+}
+
+TEST(ApplyMaterial, TakesBarsAFifthAsWideAsLong) {
+  StrutGrid grid = stacked();
+  applyMaterial(grid, {.model = Model::frame});
   const BarSection& bar = grid.bars->lateral;
   EXPECT_NEAR(bar.stretching, 2 * 3 * 2, 1e-12);
   EXPECT_NEAR(bar.bendingN, bar.stretching * 0.4 * 0.4 / 12, 1e-12);
@@ -48,13 +70,13 @@ TEST(Weld, TakesBarsAFifthAsWideAsLong) {
   validate(grid);
 }
 
-TEST(Weld, TakesEachSizeAsAsked) {
+TEST(ApplyMaterial, TakesEachSizeAsAsked) {
   StrutGrid grid = stacked();
-  weld(grid, {.model = Model::frame,
-              .barWidth = 0.2,
-              .barHeight = 0.4,
-              .postWidth = 0.1,
-              .jointRadius = 0.05});
+  applyMaterial(grid, {.model = Model::frame,
+                       .barWidth = 0.2,
+                       .barHeight = 0.4,
+                       .postWidth = 0.1,
+                       .jointRadius = 0.05});
   const auto& [lateral, upright, printed] = *grid.bars;
   EXPECT_NEAR(lateral.bendingN / lateral.stretching, 0.2 * 0.2 / 12, 1e-12);
   EXPECT_NEAR(lateral.bendingB / lateral.stretching, 0.4 * 0.4 / 12, 1e-12);
@@ -62,10 +84,10 @@ TEST(Weld, TakesEachSizeAsAsked) {
   EXPECT_EQ(lateral.joint, 0.05);
 }
 
-TEST(Weld, RefusesJointsThatLeaveNothingOfAStrut) {
+TEST(ApplyMaterial, RefusesJointsThatLeaveNothingOfAStrut) {
   StrutGrid grid = stacked();
   EXPECT_THAT(
-      [&] { weld(grid, {.model = Model::frame, .jointRadius = 0.5}); },
+      [&] { applyMaterial(grid, {.model = Model::frame, .jointRadius = 0.5}); },
       testing::ThrowsMessage<InputError>(HasSubstr(
           "material.joint_radius must be less than half of the shortest strut, 0.5, got 0.5")));
 }

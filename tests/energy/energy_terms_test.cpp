@@ -95,10 +95,17 @@ CornerTerm::Vectors armsAt(double lengthA, double lengthB, double angle) {
   return turned * arms;
 }
 
+CornerTerm cornerRestingAt(double theta) {
+  const CornerTerm::Vectors rest = armsAt(1, 1, theta);
+  return {2, kLeast, RestAngle::between(rest.col(0), rest.col(1))};
+}
+
 TEST(CornerTerm, DerivativesAgreeWithDifferences) {
   std::srand(2);
   for (const double angle : {0.4, 1.2, std::numbers::pi / 2, 2.5}) {
     expectConsistent(CornerTerm{2, kLeast}, armsAt(1, 0.8, angle));
+    expectConsistent(cornerRestingAt(1.2), armsAt(1, 0.8, angle));
+    expectConsistent(cornerRestingAt(1.9), armsAt(1, 0.8, angle));
   }
 }
 
@@ -137,25 +144,35 @@ double energyAtRestAngle(const CornerTerm::Vectors& arms, double theta) {
   return at(low);
 }
 
+TEST(CornerTerm, IsTheDistanceToTheNearestArmsAtItsRestAngle) {
+  for (const double theta : {1.2, std::numbers::pi / 2, 1.9}) {
+    for (const double angle : {0.7, 1.1, std::numbers::pi / 2, 2.2}) {
+      const CornerTerm::Vectors arms = armsAt(1, 0.8, angle);
+      EXPECT_NEAR(cornerRestingAt(theta).evaluate(arms).energy, 2 * energyAtRestAngle(arms, theta),
+                  1e-12);
+    }
+  }
+}
+
 TEST(CornerTerm, GradientByRestAgreesWithDifferences) {
-  const CornerTerm term{2, kLeast};
-  for (const double angle : {1.1, std::numbers::pi / 2, 1.9}) {
-    const CornerTerm::Vectors arms = armsAt(1, 0.8, angle);
-    const CornerTerm::Vectors byRest = term.gradientByRest(arms);
-    for (int trial = 0; trial < 4; ++trial) {
-      const CornerTerm::Vectors z = CornerTerm::Vectors::Random();
-      const double change = derivative([&](double turn) {
-        return derivative([&](double t) {
-          return 2 * energyAtRestAngle(arms + t * z, std::numbers::pi / 2 + turn);
+  for (const double theta : {1.2, std::numbers::pi / 2}) {
+    for (const double angle : {1.1, std::numbers::pi / 2, 1.9}) {
+      const CornerTerm::Vectors arms = armsAt(1, 0.8, angle);
+      const CornerTerm::Vectors byRest = cornerRestingAt(theta).gradientByRest(arms);
+      for (int trial = 0; trial < 4; ++trial) {
+        const CornerTerm::Vectors z = CornerTerm::Vectors::Random();
+        const double change = derivative([&](double turn) {
+          return derivative(
+              [&](double t) { return 2 * energyAtRestAngle(arms + t * z, theta + turn); });
         });
-      });
-      EXPECT_NEAR(byRest.cwiseProduct(z).sum(), change, 1e-6 * (1 + byRest.norm())) << angle;
+        EXPECT_NEAR(byRest.cwiseProduct(z).sum(), change, 1e-6 * (1 + byRest.norm())) << angle;
+      }
     }
   }
 }
 
 TEST(CornerTerm, CollinearAndVanishingArmsStayFinite) {
-  const CornerTerm term{2, kLeast};
+  const CornerTerm term = cornerRestingAt(1.2);
   CornerTerm::Vectors none = CornerTerm::Vectors::Zero();
   CornerTerm::Vectors one = none;
   one.col(0) = Vector3d(1, 0, 0);

@@ -19,7 +19,7 @@ StrutGrid gridThrough(const GridShape& shape,
   }
   grid.rest = StrutValues(shape);
   grid.stiffness = StrutValues(shape);
-  grid.weights.angle = 1;
+  grid.weights = TermWeights::ofAllCorners(1);
   grid.spacing = 0;
   forEachStrut(shape, [&](const Strut& strut) {
     const double length = (grid.positions.col(strut.to) - grid.positions.col(strut.from)).norm();

@@ -150,8 +150,10 @@ struct Levels {
 class CoarseLevelsTest : public DeviceTest, public testing::WithParamInterface<GridShape> {};
 
 TEST_P(CoarseLevelsTest, ColumnMatrixIsTheGalerkinProduct) {
-  for (const double damping : {0.0, 0.3}) {
-    const Levels levels(device_, unevenGrid(GetParam()), damping);
+  const StrutGrid uneven = unevenGrid(GetParam());
+  for (const auto& [grid, damping] :
+       {std::pair(uneven, 0.0), {uneven, 0.3}, {withPrintedCorners(uneven), 0.0}}) {
+    const Levels levels(device_, grid, damping);
     const MatrixXd hessian =
         denseHessian(levels.grid) + damping * denseLaplacian(levels.grid.shape);
     const MatrixXd& p = levels.prolongations.front();

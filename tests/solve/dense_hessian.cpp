@@ -3,6 +3,7 @@
 #include <Eigen/Dense>
 #include <array>
 #include <cmath>
+#include <numbers>
 
 #include "energy/strut_energy.h"
 
@@ -22,32 +23,47 @@ void addLink(MatrixXd& matrix, const Strut& strut, const Matrix3d& block) {
   matrix.block<3, 3>(to, from) -= block;
 }
 
-double cornerResidual(const Vector3d& apex, const Vector3d& endA, const Vector3d& endB) {
+double angleBetween(const Vector3d& a, const Vector3d& b) {
+  return std::atan2(a.cross(b).norm(), a.dot(b));
+}
+
+double cornerResidual(double restAngle, const Vector3d& apex, const Vector3d& endA,
+                      const Vector3d& endB) {
   const Vector3d a = endA - apex;
   const Vector3d b = endB - apex;
   const double t = a.squaredNorm() + b.squaredNorm();
-  const double s = a.dot(b);
+  const double s = a.norm() * b.norm() * std::sin(restAngle - angleBetween(a, b));
   return s * std::sqrt(2 / (t + std::sqrt(t * t - 4 * s * s)));
 }
 
 /// d residual / d (apex, a, b), by differences of fourth order.
-Eigen::Matrix<double, 9, 1> cornerDerivative(const std::array<Vector3d, 3>& points) {
+Eigen::Matrix<double, 9, 1> cornerDerivative(double restAngle,
+                                             const std::array<Vector3d, 3>& points) {
   constexpr double kStep = 1e-3;
   Eigen::Matrix<double, 9, 1> derivative;
   for (int n = 0; n < 9; ++n) {
     const auto at = [&](double steps) {
       std::array<Vector3d, 3> moved = points;
       moved[n / 3][n % 3] += steps * kStep;
-      return cornerResidual(moved[0], moved[1], moved[2]);
+      return cornerResidual(restAngle, moved[0], moved[1], moved[2]);
     };
     derivative[n] = (8 * (at(1) - at(-1)) - (at(2) - at(-2))) / (12 * kStep);
   }
   return derivative;
 }
 
-void addCorner(MatrixXd& matrix, const Corner& corner, const Eigen::Matrix3Xd& x, double weight) {
+void addCorner(MatrixXd& matrix, const Corner& corner, const StrutGrid& grid,
+               const Eigen::Matrix3Xd& x) {
   const std::array<int, 3> vertices{corner.apex, corner.a, corner.b};
-  const auto j = cornerDerivative({x.col(corner.apex), x.col(corner.a), x.col(corner.b)});
+  double restAngle = std::numbers::pi / 2;
+  if (grid.printedCorners && corner.isLateral) {
+    const auto& printed = *grid.printedCorners;
+    restAngle = angleBetween(printed.col(corner.a) - printed.col(corner.apex),
+                             printed.col(corner.b) - printed.col(corner.apex));
+  }
+  const double weight = corner.isLateral ? grid.weights.angle : grid.weights.postAngle;
+  const auto j =
+      cornerDerivative(restAngle, {x.col(corner.apex), x.col(corner.a), x.col(corner.b)});
   for (int row = 0; row < 3; ++row) {
     for (int column = 0; column < 3; ++column) {
       matrix.block<3, 3>(3 * vertices[row], 3 * vertices[column]) +=
@@ -70,8 +86,7 @@ MatrixXd denseHessian(const StrutGrid& grid) {
             2 * valueAt(grid.stiffness, strut) *
                 (along + std::max(0.0, stretch) * (Matrix3d::Identity() - along)));
   });
-  forEachCorner(grid.shape,
-                [&](const Corner& corner) { addCorner(matrix, corner, x, grid.weights.angle); });
+  forEachCorner(grid.shape, [&](const Corner& corner) { addCorner(matrix, corner, grid, x); });
   return matrix;
 }
 

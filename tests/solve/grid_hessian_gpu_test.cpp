@@ -19,7 +19,7 @@ using Eigen::Matrix3Xd;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-enum class Stiffness { uniform, varied };
+enum class Stiffness { uniform, varied, variedWithPrintedCorners };
 
 /// Struts in tension and in compression, corners off their right angles; in the plane where there
 /// is a single layer.
@@ -34,9 +34,9 @@ StrutGrid strainedGrid(const GridShape& shape, Stiffness stiffness) {
   std::mt19937 random(5);
   std::uniform_real_distribution<double> factor(0.5, 2);
   forEachStrut(shape, [&](const Strut& strut) {
-    valueAt(grid.stiffness, strut) *= stiffness == Stiffness::varied ? factor(random) : 1;
+    valueAt(grid.stiffness, strut) *= stiffness == Stiffness::uniform ? 1 : factor(random);
   });
-  return grid;
+  return stiffness == Stiffness::variedWithPrintedCorners ? withPrintedCorners(grid) : grid;
 }
 
 using Case = std::tuple<GridShape, Stiffness, LayerLoop>;
@@ -156,7 +156,8 @@ INSTANTIATE_TEST_SUITE_P(OddShapes, GridHessianTest,
                                                           GridShape{5, 4, 3}, GridShape{7, 3, 4},
                                                           GridShape{6, 6, 1}, GridShape{19, 3, 2},
                                                           GridShape{3, 4, 6}),
-                                          testing::Values(Stiffness::uniform, Stiffness::varied),
+                                          testing::Values(Stiffness::uniform, Stiffness::varied,
+                                                          Stiffness::variedWithPrintedCorners),
                                           testing::Values(LayerLoop::unrolled)));
 
 INSTANTIATE_TEST_SUITE_P(Rolled, GridHessianTest,

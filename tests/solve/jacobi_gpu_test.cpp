@@ -29,8 +29,8 @@ TEST_F(Jacobi, StripFromFlatConverges) {
 TEST_F(Jacobi, CircularStripBendsToItsRadius) {
   constexpr double kTheta = 0.2;
   StrutGrid grid = circularStrip(20, 3, kTheta, 0.3);
-  grid.weights.angle =
-      0.1;  // The angular springs resist: by 17 % of the radius times their weight.
+  grid.weights = TermWeights::ofAllCorners(
+      0.1);  // The angular springs resist: by 17 % of the radius times their weight.
   const Equilibrium result = solve(grid);
   ASSERT_TRUE(result.converged);
   EXPECT_NEAR(stripRadius(grid.shape, result.positions) * 2 * std::sin(kTheta / 2), 1, 0.02);

@@ -17,7 +17,7 @@ TEST_F(Morph, StripRollsUpInProportionToItsShrink) {
   constexpr double kTheta = 0.2;
   constexpr int kSteps = 4;
   StrutGrid grid = circularStrip(20, 3, kTheta, 0.3);
-  grid.weights.angle = 1e-3;
+  grid.weights = TermWeights::ofAllCorners(1e-3);
   MultigridSolver solver(device_, grid);
   const MorphCourse course =
       followMorph(solver, {.steps = kSteps, .solve = {.energyTolerance = 1e-12}});

@@ -41,7 +41,7 @@ class MultigridExtremes : public Multigrid, public testing::WithParamInterface<E
 TEST_P(MultigridExtremes, AgreesWithTheOracle) {
   StrutGrid grid = bentGrid({9, 7, 3}, 8);
   std::fill(grid.stiffness.w.begin(), grid.stiffness.w.end(), GetParam().vertical);
-  grid.weights.angle = GetParam().angle;
+  grid.weights = TermWeights::ofAllCorners(GetParam().angle);
   const Equilibrium found = solve(grid);
   EXPECT_TRUE(found.converged) << toString(found.reason);
   const double lowest = energyDownhillFrom(found, grid);
@@ -111,7 +111,7 @@ TEST_F(Multigrid, BuffersWrittenInChunksChangeNoBit) {
 StrutGrid otherGrid(const GridShape& shape) {
   StrutGrid grid = bentGrid(shape, 9);
   grid.spacing = 2;
-  grid.weights.angle = 3;
+  grid.weights = TermWeights::ofAllCorners(3);
   grid.positions.array() = 2 * grid.positions.array() + 5;
   for (std::vector<double>* lengths : {&grid.rest.u, &grid.rest.v, &grid.rest.w}) {
     for (double& length : *lengths) length *= 2;
@@ -144,7 +144,7 @@ TEST_F(Multigrid, AnotherGridNearItsAnswerDoesTooAndAnswersToForces) {
   MultigridSolver solver(device_, bentGrid(shape, 8));
   const Eigen::Matrix3Xd near = solver.solve({}).positions;
   StrutGrid grid = bentGrid(shape, 8);
-  grid.weights.angle = 2;
+  grid.weights = TermWeights::ofAllCorners(2);
   Eigen::Matrix3Xd forces = Eigen::Matrix3Xd::Zero(3, shape.vertexCount());
   forces(2, 0) = forces(2, 1) = 1;
   forces(2, 2) = -2;

@@ -69,7 +69,7 @@ TEST(NestedGrids, StopWhereStrutsWouldTurnTooFar) {
 
 TEST(NestedGrids, BeginWithHeavierCornersWhereTheyAreLight) {
   StrutGrid grid = bentGrid({18, 9, 2}, 3);  // Lateral stiffness 5.
-  grid.weights.angle = 0.01;
+  grid.weights = TermWeights::ofAllCorners(0.01);
   const auto grids = nestGrids(grid);
   ASSERT_EQ(grids.size(), 4u);
   EXPECT_DOUBLE_EQ(grids[0].grid.weights.angle, 1);
@@ -81,7 +81,7 @@ TEST(NestedGrids, BeginWithHeavierCornersWhereTheyAreLight) {
 
 TEST(NestedGrids, CornersMayWeighNothing) {
   StrutGrid grid = bentGrid({5, 5, 2}, 3);
-  grid.weights.angle = 0;
+  grid.weights = TermWeights::ofAllCorners(0);
   const auto grids = nestGrids(grid);
   EXPECT_GT(grids.front().grid.weights.angle, 0.1);
   EXPECT_EQ(grids.back().grid.weights.angle, 0);

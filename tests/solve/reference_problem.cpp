@@ -28,7 +28,7 @@ ReferenceProblem loadReferenceProblem(const std::string& name) {
   grid.rest.v = json["rest_v"].get<std::vector<double>>();
   grid.rest.w = json["rest_w"].get<std::vector<double>>();
   grid.stiffness = StrutValues(grid.shape);
-  grid.weights.angle = json["weight_angle"];
+  grid.weights = TermWeights::ofAllCorners(json["weight_angle"]);
   grid.spacing = 0;
   forEachStrut(grid.shape, [&](const Strut& strut) {
     const bool vertical = strut.direction == Strut::Direction::w;

@@ -29,8 +29,8 @@ INSTANTIATE_TEST_SUITE_P(ShapeOp, ReferenceAnswers,
 TEST(ReferenceSolver, CircularStripBendsToItsRadius) {
   constexpr double kTheta = 0.2;
   StrutGrid grid = circularStrip(20, 3, kTheta, 0.3);
-  grid.weights.angle =
-      1e-3;  // The angular springs resist: by 17 % of the radius times their weight.
+  grid.weights = TermWeights::ofAllCorners(
+      1e-3);  // The angular springs resist: by 17 % of the radius times their weight.
   const Equilibrium result = solveReference(grid, {.tolerance = 1e-11});
   EXPECT_NEAR(stripRadius(grid.shape, result.positions) * 2 * std::sin(kTheta / 2), 1, 1e-3);
 }

@@ -31,6 +31,15 @@ StrutGrid bentGrid(const GridShape& shape, unsigned seed) {
   return grid;
 }
 
+StrutGrid withPrintedCorners(StrutGrid grid) {
+  Eigen::Matrix3Xd printed = grid.positions;
+  printed.row(0) +=
+      0.25 * grid.positions.row(1) +
+      0.15 * grid.positions.row(0).cwiseProduct(grid.positions.row(1)) / grid.shape.verticesU;
+  grid.printedCorners = std::move(printed);
+  return grid;
+}
+
 Eigen::Matrix3Xd shaken(const Eigen::Matrix3Xd& positions, double amount, unsigned seed) {
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> offset(-amount, amount);

@@ -7,6 +7,9 @@ namespace morphgrid {
 /// bends) and by a few random percent (no symmetry). Normalised stiffnesses.
 StrutGrid bentGrid(const GridShape& shape, unsigned seed);
 
+/// Its corners in a layer rest at angles as printed, of 70 to 120 degrees. grid: a bentGrid().
+StrutGrid withPrintedCorners(StrutGrid grid);
+
 /// positions with random offsets of up to `amount` in each coordinate.
 Eigen::Matrix3Xd shaken(const Eigen::Matrix3Xd& positions, double amount, unsigned seed);
 

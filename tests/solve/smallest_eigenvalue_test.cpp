@@ -89,7 +89,7 @@ TEST(SmallestEigenvalue, DoesNotDependOnUnits) {
   StrutGrid scaled = grid;
   scaled.spacing *= 1000;
   scaled.positions *= 1000;
-  scaled.weights.angle *= 7;
+  scaled.weights = TermWeights::ofAllCorners(7 * grid.weights.angle);
   for (auto* values : {&scaled.rest.u, &scaled.rest.v, &scaled.rest.w}) {
     for (double& rest : *values) rest *= 1000;
   }
@@ -102,7 +102,7 @@ TEST(SmallestEigenvalue, DoesNotDependOnUnits) {
 
 TEST(SmallestEigenvalue, OfAMechanismIsUndecided) {
   StrutGrid grid = bentGrid({3, 3, 1}, 0);
-  grid.weights.angle = 0;
+  grid.weights = TermWeights::ofAllCorners(0);
   forEachStrut(grid.shape, [&](const Strut& strut) { valueAt(grid.rest, strut) = 1; });
   const SmallestEigenvalue found = compute(grid, {.motions = Motions::inPlane});
   EXPECT_NEAR(found.value, 0, 1e-12);

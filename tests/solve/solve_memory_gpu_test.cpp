@@ -29,7 +29,7 @@ TEST_P(SolveMemoryOf, OfAFrameIsWhatItTakes) {
   DeviceGrid deviceGrid(device_, grid);
   PreconditionedDescent descent(device_, deviceGrid, Precision::precise);
   descent.positions();
-  EXPECT_NEAR(peak() / multigridMemory(grid.shape, true).device, 1, 0.15);
+  EXPECT_NEAR(peak() / multigridMemory(grid.shape, Mechanics::frame).device, 1, 0.15);
 }
 
 TEST_P(SolveMemoryOf, InverseDesignOfAFrameToo) {
@@ -37,7 +37,7 @@ TEST_P(SolveMemoryOf, InverseDesignOfAFrameToo) {
   MultigridSolver solver(device_, grid);
   solver.solve({.iterationLimit = 1, .startsNear = true});
   solver.solveAdjoint(Eigen::Matrix3Xd::Random(3, grid.shape.vertexCount()), {.productLimit = 1});
-  EXPECT_NEAR(peak() / inverseDesignMemory(grid.shape, true).device, 1, 0.15);
+  EXPECT_NEAR(peak() / inverseDesignMemory(grid.shape, Mechanics::frame).device, 1, 0.15);
 }
 
 TEST_P(SolveMemoryOf, InverseDesignIsWhatAdjointsTakeBesides) {

@@ -14,7 +14,7 @@ constexpr double kThicker = 1.25;
 
 /// The positions where it comes to rest.
 Eigen::Matrix3Xd morph(const Device& device, StrutGrid grid, const MaterialRequest& bars) {
-  weld(grid, bars);
+  applyMaterial(grid, bars);
   MultigridSolver solver(device, grid);
   return followMorph(solver, {.steps = kLoadSteps}).end.positions;
 }
