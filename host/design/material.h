@@ -35,6 +35,8 @@ struct BarSizes {
   double width, height, post, joint;
 };
 BarSizes barSizesOf(const MaterialRequest& material, double meanLength);
+/// With the sizes that it leaves out.
+MaterialRequest withSizes(MaterialRequest material, double meanLength);
 
 /// Turns the struts of a stacked grid, at the positions where it is printed, into welded bars where
 /// the model asks for it. The modulus makes EA of lateral bars twice the mean stiffness of springs
