@@ -68,17 +68,20 @@ double meanOf(const LateralField<double>& values) {
   return sum / values.shape().lateralStrutCount();
 }
 
-LaidSheet layOut(const SurfaceMeasurement& measurement, const Eigen::Matrix3Xd& normals,
-                 const GridDesign& design, const ShrinkRange& shrink,
-                 const Cancellation& cancellation) {
-  const SheetProblem problem{.layer = measurement.chords.shape(),
-                             .points = measurement.points,
-                             .normals = normals,
+/// Adds the sheet of a design that is otherwise complete.
+void layOut(SceneDesign& designed, const ShrinkRange& shrink, const Cancellation& cancellation) {
+  const GridDesign& design = designed.design;
+  const SheetProblem problem{.layer = design.rest.front().shape(),
+                             .points = *designed.targets,
+                             .normals = designed.normals,
                              .rest = design.rest,
                              .shrink = shrink};
   Sheet sheet = layConformally(problem, cancellation);
   const SheetFigures figures = computeSheetFigures(problem, sheet, design.layerSpacing);
-  return {std::move(sheet), figures};
+  designed.angleErrors = printedAngleErrors(problem, sheet);
+  designed.sheet = LaidSheet{std::move(sheet), figures};
+  const auto advice = adviseOn(figures, shrink);
+  designed.notices.insert(designed.notices.end(), advice.begin(), advice.end());
 }
 
 SceneDesign designFor(const Scene& scene, const std::shared_ptr<const Target>& target,
@@ -103,10 +106,6 @@ SceneDesign designFor(const Scene& scene, const std::shared_ptr<const Target>& t
   GridDesign design = request.reference == Reference::convex
                           ? designGrid(measurement, size, request.layers)
                           : designOnOffsets(measurement, normals, stack);
-  std::optional<LaidSheet> sheet;
-  if (request.layout == Layout::conformal) {
-    sheet = layOut(measurement, normals, design, shrinkRangeOf(scene), cancellation);
-  }
   SceneDesign designed{target,
                        std::move(design),
                        MeasurementFigures{survey.longestIsolineU, survey.longestIsolineV,
@@ -117,12 +116,11 @@ SceneDesign designFor(const Scene& scene, const std::shared_ptr<const Target>& t
                        std::move(measurement.points),
                        std::move(normals),
                        stack,
-                       std::move(sheet),
+                       {},
                        sampler->meshFigures(),
                        size.notices};
-  if (designed.sheet) {
-    const auto advice = adviseOn(designed.sheet->figures, shrinkRangeOf(scene));
-    designed.notices.insert(designed.notices.end(), advice.begin(), advice.end());
+  if (request.layout == Layout::conformal) {
+    layOut(designed, shrinkRangeOf(scene), cancellation);
   }
   addNotices(designed.notices, chosen, request, designed.design);
   return designed;

@@ -24,6 +24,8 @@ struct SceneDesign {
   std::optional<MeshFigures> mesh;   ///< Only of meshes.
   std::vector<std::string> notices;  ///< What was clamped or overridden.
   View ownView = kPatchView;         ///< Where there is no target to say it.
+  /// layerVertexCount, rad, of Layout::conformal: see printedAngleErrors(); else empty.
+  Eigen::VectorXd angleErrors{};
 
   /// From where the morphed grid is seen best.
   View view() const { return target ? target->view() : ownView; }

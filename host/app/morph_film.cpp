@@ -10,12 +10,14 @@
 #include "core/interrupt.h"
 #include "core/rigid_alignment.h"
 #include "export/gltf_morph.h"
+#include "grid/move_joints.h"
 #include "render/webp_animation.h"
 
 namespace morphgrid {
 namespace {
 
 using Shapes = std::vector<Eigen::Matrix3Xd>;
+using Turns = std::vector<JointRotations>;  // Of a frame's joints, as long as Shapes.
 using Placements = std::vector<Eigen::Isometry3d>;
 
 // Seconds.
@@ -49,12 +51,22 @@ class Counter {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
-MorphCourse follow(const Scene& scene, const Device& device, const StrutGrid& grid, int steps,
-                   bool quiet) {
+struct Morph {
+  MorphCourse course;
+  Turns turns;
+};
+
+Morph follow(const Scene& scene, const Device& device, const StrutGrid& grid, int steps,
+             bool quiet) {
   Counter counter("equilibrium", steps, quiet);
   MultigridSolver solver(device, grid);
-  return followMorph(
-      solver, {steps, scene.solve, [&](int step, const Equilibrium&) { counter.tell(step); }});
+  Turns turns{turnWithBars(grid, grid.positions)};
+  MorphCourse course =
+      followMorph(solver, {steps, scene.solve, [&](int step, const Equilibrium& at) {
+                             turns.push_back(at.rotations);
+                             counter.tell(step);
+                           }});
+  return {std::move(course), std::move(turns)};
 }
 
 /// Motions that bring the last shape to `end`, and each other one to the one after it: nothing but
@@ -98,8 +110,8 @@ void removeFramesFrom(const std::filesystem::path& folder, int frame) {
 
 /// Shapes on the same grid, coloured by the strain to the designed lengths.
 void drawFrames(const Scene& scene, const View& view, const Device& device, DeviceGrid& deviceGrid,
-                const Shapes& shapes, const Placements& placements, const FilmOptions& options,
-                bool quiet) {
+                const Shapes& shapes, const Turns& turns, const Placements& placements,
+                const FilmOptions& options, bool quiet) {
   PictureOptions picture{.width = scene.pictures.width,
                          .height = scene.pictures.height,
                          .caption = {},
@@ -112,7 +124,7 @@ void drawFrames(const Scene& scene, const View& view, const Device& device, Devi
   Counter counter("frame", count, quiet);
   for (int n = 0; n < count && !interruptRequested(); ++n) {
     const auto index = static_cast<std::size_t>(n);
-    deviceGrid.uploadPositions(shapes[index]);
+    deviceGrid.uploadPositions(shapes[index], turns[index]);
     picture.caption = fmt::format("morph: {:.0f} % of the shrinkage", 100.0 * n / (count - 1));
     const Image frame =
         composePicture(renderer.drawStruts(deviceGrid, placements[index], camera), picture);
@@ -136,7 +148,7 @@ void drawFrames(const Scene& scene, const View& view, const Device& device, Devi
 }
 
 void writeGltf(const std::filesystem::path& path, const StrutGrid& grid, const Shapes& shapes,
-               const Placements& placements) {
+               const Turns& turns, const Placements& placements) {
   const int steps = static_cast<int>(shapes.size()) - 1;
   const int lastKey = std::min(steps, kMostKeys - 1);
   std::vector<MorphKey> keys;
@@ -147,7 +159,8 @@ void writeGltf(const std::filesystem::path& path, const StrutGrid& grid, const S
     Eigen::Matrix3Xd positions = placements[index] * shapes[index];
     SurfaceMesh surface =
         tessellate(grid.shape, middleLayer(grid.shape, positions), kMorphRefinement);
-    keys.push_back({std::move(positions), std::move(surface)});
+    keys.push_back(
+        {std::move(positions), std::move(surface), moveJoints(placements[index], turns[index])});
     timeline.push_back({kFirstShown + kMorphing * step / steps, key});
   }
   timeline.push_back({kFirstShown + kMorphing + kLastShown, lastKey});
@@ -174,18 +187,18 @@ FilmRecord recordOf(const MorphCourse& course, const Equilibrium& simulation) {
 FilmRecord filmMorph(const Scene& scene, const SceneDesign& designed, const Device& device,
                      Simulation& simulation, const FilmOptions& options, bool quiet) {
   Stage& stage = simulation.stage;
-  const MorphCourse course = follow(scene, device, stage.grid, options.frameCount - 1, quiet);
+  const auto [course, turns] = follow(scene, device, stage.grid, options.frameCount - 1, quiet);
   if (interruptRequested()) {
     return {};
   }
   const Placements placements =
       placeShapes(course.positions, simulation.targetFromGrid * stage.equilibrium.positions);
   if (!options.framesFolder.empty() || !options.animation.empty()) {
-    drawFrames(scene, designed.view(), device, *stage.onDevice, course.positions, placements,
+    drawFrames(scene, designed.view(), device, *stage.onDevice, course.positions, turns, placements,
                options, quiet);
   }
   if (!options.gltf.empty() && !interruptRequested()) {
-    writeGltf(options.gltf, stage.grid, course.positions, placements);
+    writeGltf(options.gltf, stage.grid, course.positions, turns, placements);
   }
   return recordOf(course, stage.equilibrium);
 }

@@ -12,6 +12,7 @@
 #include "export/gltf.h"
 #include "export/surface_files.h"
 #include "export/vtu.h"
+#include "grid/move_joints.h"
 #include "report/inverse_plot.h"
 #include "report/report_csv.h"
 #include "report/report_json.h"
@@ -49,12 +50,13 @@ void exportFiles(const Stage& stage, const Eigen::Isometry3d& targetFromGrid,
                  const FileChoices& choices, const std::filesystem::path& folder) {
   const GridShape& shape = stage.grid.shape;
   const Eigen::Matrix3Xd positions = targetFromGrid * stage.equilibrium.positions;
+  const JointRotations rotations = moveJoints(targetFromGrid, stage.equilibrium.rotations);
   const SurfaceMesh surface = tessellate(shape, middleLayer(shape, positions), kSurfaceRefinement);
   if (choices.gltf) {
-    exportGltf(folder / "warped.glb", stage.grid, positions, surface);
+    exportGltf(folder / "warped.glb", stage.grid, positions, surface, rotations);
   }
   if (choices.vtu) {
-    exportVtu(folder / "warped.vtu", stage.grid, positions);
+    exportVtu(folder / "warped.vtu", stage.grid, positions, rotations);
   }
   if (choices.ply) {
     exportPly(folder / "surface.ply", surface);

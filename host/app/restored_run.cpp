@@ -9,6 +9,7 @@ SceneDesign designOf(RunState& state) {
   designed.measurement = state.record.measurement;
   designed.net = state.record.net;
   designed.targets = std::move(state.targets);
+  designed.angleErrors = std::move(state.angleErrors);
   designed.mesh = state.record.mesh;
   designed.notices = state.record.notices;
   if (state.sampling) {
@@ -37,6 +38,7 @@ RunState stateOf(const Scene& scene, const SceneDesign& designed, const Simulati
                  .grid = simulation.stage.grid,
                  .targetFromGrid = simulation.targetFromGrid,
                  .record = simulation.record};
+  state.angleErrors = designed.angleErrors;
   if (const auto* sampling = designed.target ? designed.target->meshSampling() : nullptr) {
     state.sampling = *sampling;
   }
@@ -64,7 +66,14 @@ RestoredRun restoreRun(const std::filesystem::path& file) {
   }
   Stage stage = lastStage(state);
   stage.grid.bars = run.stacked.bars;
+<<<<<<< HEAD
   stage.grid.printedCorners = run.stacked.printedCorners;
+=======
+  Equilibrium& last = stage.equilibrium;
+  if (last.rotations.cols() == 0) {
+    last.rotations = turnWithBars(stage.grid, last.positions);
+  }
+>>>>>>> bars3d
   run.simulation = {std::move(state.record), std::move(stage), state.targetFromGrid};
   return run;
 }
@@ -85,7 +94,7 @@ void drawAgain(RestoredRun& run, RunContext& context) {
       pictures.drawShrink(stage.grid, run.scene.design.maxShrinkage);
     }
     stage.onDevice = std::make_shared<DeviceGrid>(*context.device, stage.grid);
-    stage.onDevice->uploadPositions(stage.equilibrium.positions);
+    stage.onDevice->uploadPositions(stage.equilibrium.positions, stage.equilibrium.rotations);
     pictures.drawResult(*stage.onDevice, stage.equilibrium.positions, run.simulation.targetFromGrid,
                         run.designed.targets);
   });

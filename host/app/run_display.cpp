@@ -37,8 +37,22 @@ double rmsPercent(const Matrix3Xd& placed, const Matrix3Xd& targets) {
   return 100 * (placed - targets).norm() / std::sqrt(double(targets.cols())) / diagonal;
 }
 
-Matrix3Xd newestPositions(const DeviceGrid& grid) {
-  return grid.downloadPositions(grid.newestIsFirst() ? grid.positions() : grid.previousPositions());
+const Buffer& newestOf(const DeviceGrid& grid) {
+  return grid.newestIsFirst() ? grid.positions() : grid.previousPositions();
+}
+
+/// None where the grid is no frame.
+std::shared_ptr<const JointRotations> shared(const JointRotations& rotations) {
+  return rotations.cols() > 0 ? std::make_shared<JointRotations>(rotations) : nullptr;
+}
+
+double meanRestOf(const GridDesign& design) {
+  double sum = 0;
+  for (const LateralField<double>& layer : design.rest) {
+    forEachLateralStrut(layer.shape(), [&](const Strut& strut) { sum += layer.at(strut); });
+  }
+  const GridShape& shape = design.rest.front().shape();
+  return sum / (static_cast<double>(design.rest.size()) * shape.lateralStrutCount());
 }
 
 void extend(Eigen::AlignedBox3d& box, const Matrix3Xd& points) {
@@ -51,9 +65,18 @@ std::shared_ptr<const MeshSampling> samplingOf(const std::shared_ptr<const Targe
   return target ? std::shared_ptr<const MeshSampling>(target, target->meshSampling()) : nullptr;
 }
 
-void putScene(const Scene& scene, Snapshot& next) {
-  next.title = scene.title;
+/// meanLength: of lateral struts, of which a frame's sizes are shares that the scene does not say;
+/// 0 where it is not known yet.
+void putKnobs(Scene scene, double meanLength, Snapshot& next) {
+  if (scene.material.model == Model::frame && meanLength > 0) {
+    scene.material = withSizes(scene.material, meanLength);
+  }
   next.knobs = keepRanges(knobsOf(scene), next.knobs);
+}
+
+void putScene(const Scene& scene, double meanLength, Snapshot& next) {
+  next.title = scene.title;
+  putKnobs(scene, meanLength, next);
   next.maxShrinkage = scene.design.maxShrinkage;
 }
 
@@ -66,6 +89,9 @@ void putDesign(const SceneDesign& designed, const RunRecord& record,
   slotOf(ShownStage::target, next) = target;
   next.newest = ShownStage::target;
   next.targets = target ? target->positions : nullptr;
+  next.angleErrors = designed.angleErrors.size() > 0
+                         ? std::make_shared<Eigen::VectorXd>(designed.angleErrors)
+                         : nullptr;
   next.figures = toTable(record);
   next.notices = record.notices;
   next.extent.setEmpty();
@@ -105,7 +131,7 @@ void RunDisplay::showBegin(const std::string& status) {
 }
 
 void RunDisplay::showScene(const Scene& scene) {
-  board_.post([&](Snapshot& next) { putScene(scene, next); });
+  board_.post([&](Snapshot& next) { putScene(scene, meanLength_, next); });
 }
 
 std::optional<ShownGrid> RunDisplay::makeTarget(const GridShape& shape,
@@ -127,20 +153,28 @@ std::optional<ShownGrid> RunDisplay::makeTarget(const GridShape& shape,
 void RunDisplay::showDesign(const Scene& scene, const SceneDesign& designed) {
   const RunRecord record = recordOf(scene, designed);
   const auto target = makeTarget(record.grid.shape, designed);
-  board_.post([&](Snapshot& next) { putDesign(designed, record, target, next); });
+  meanLength_ = meanRestOf(designed.design);
+  board_.post([&](Snapshot& next) {
+    putDesign(designed, record, target, next);
+    putKnobs(scene, meanLength_, next);
+  });
 }
 
 /// A copy of a grid, its middle layer as close to where it should lie as it comes.
-ShownGrid RunDisplay::placed(const StrutGrid& grid, const Matrix3Xd& positions) {
+ShownGrid RunDisplay::placed(const StrutGrid& grid, const Matrix3Xd& positions,
+                             const JointRotations& rotations) {
   const Matrix3Xd middle = middleLayer(grid.shape, positions);
   if (!reference_) {  // Without target, it stays where it begins.
     reference_ = std::make_shared<Matrix3Xd>(middle);
     referenceShape_ = grid.shape.layer();
   }
   auto onDevice = std::make_shared<DeviceGrid>(device_, grid);
-  onDevice->uploadPositions(positions);
-  return {std::move(onDevice), alignRigidly(middle, *reference_), std::make_shared<StrutGrid>(grid),
-          std::make_shared<Matrix3Xd>(positions)};
+  onDevice->uploadPositions(positions, rotations);
+  return {.onDevice = onDevice,
+          .worldFromGrid = alignRigidly(middle, *reference_),
+          .grid = std::make_shared<StrutGrid>(grid),
+          .positions = std::make_shared<Matrix3Xd>(positions),
+          .rotations = shared(onDevice->downloadRotations(onDevice->positions()))};
 }
 
 void RunDisplay::showStage(const Stage& stage) {
@@ -168,15 +202,19 @@ void RunDisplay::showGrid(const std::shared_ptr<const DeviceGrid>& coarse) {
     shown.onDevice = coarse ? coarse : live_.onDevice;
     shown.grid = coarse ? nullptr : live_.grid;
     shown.positions = coarse ? nullptr : live_.positions;
+    shown.rotations = coarse ? nullptr : live_.rotations;
   });
 }
 
 ShownGrid RunDisplay::withNewestPositions(ShownGrid shown) const {
-  const GridShape& shape = shown.onDevice->shape();
-  auto positions = std::make_shared<Matrix3Xd>(newestPositions(*shown.onDevice));
+  const DeviceGrid& grid = *shown.onDevice;
+  const GridShape& shape = grid.shape();
+  const Buffer& newest = newestOf(grid);
+  auto positions = std::make_shared<Matrix3Xd>(grid.downloadPositions(newest));
   shown.worldFromGrid =
       alignRigidly(middleLayer(shape, *positions), resampled(*reference_, referenceShape_, shape));
   shown.positions = std::move(positions);
+  shown.rotations = shared(grid.downloadRotations(newest));
   return shown;
 }
 
@@ -200,6 +238,7 @@ void RunDisplay::showSample(const ConvergenceSample& sample) {
   status += describeDistance(shown, *before);
   if (!shown.grid) {
     shown.positions = nullptr;
+    shown.rotations = nullptr;
   }
   board_.post([&](Snapshot& next) {
     next.activity = Activity::solving;
@@ -216,7 +255,10 @@ void RunDisplay::showPaused() {
 }
 
 void RunDisplay::showCheckFromFlat(const StrutGrid& chosen) {
-  const ShownGrid still = placed(chosen, newestPositions(*live_.onDevice));
+  const DeviceGrid& grid = *live_.onDevice;
+  const Buffer& newest = newestOf(grid);
+  const ShownGrid still =
+      placed(chosen, grid.downloadPositions(newest), grid.downloadRotations(newest));
   board_.post([&](Snapshot& next) {
     next.status = "full: checking whether the design gets there from flat";
     slotOf(next.newest, next) = still;
@@ -228,8 +270,9 @@ void RunDisplay::showEnd(const Simulation& simulation) {
   const Matrix3Xd& positions = stage.equilibrium.positions;
   live_.grid = std::make_shared<StrutGrid>(stage.grid);  // Inverse design has changed it.
   live_.positions = std::make_shared<Matrix3Xd>(positions);
+  live_.rotations = shared(stage.equilibrium.rotations);
   live_.worldFromGrid = simulation.targetFromGrid;
-  stage.onDevice->uploadPositions(positions);
+  stage.onDevice->uploadPositions(positions, stage.equilibrium.rotations);
   board_.post([&](Snapshot& next) { putEnd(simulation, live_, next); });
 }
 
@@ -237,13 +280,14 @@ void RunDisplay::showStored(const RestoredRun& run) {
   const Stage& stage = run.simulation.stage;
   const RunRecord& record = run.simulation.record;
   const auto target = makeTarget(record.grid.shape, run.designed);
+  meanLength_ = meanRestOf(run.designed.design);
   const ShownGrid initial = placed(run.inPlane, run.inPlane.positions);
   const ShownGrid inPlane = placed(run.inPlane, record.inPlane->positions);
   const ShownGrid stacked = placed(run.stacked, run.stacked.positions);
-  ShownGrid end = placed(stage.grid, stage.equilibrium.positions);
+  ShownGrid end = placed(stage.grid, stage.equilibrium.positions, stage.equilibrium.rotations);
   end.worldFromGrid = run.simulation.targetFromGrid;
   board_.post([&](Snapshot& next) {
-    putScene(run.scene, next);
+    putScene(run.scene, meanLength_, next);
     putDesign(run.designed, record, target, next);
     if (run.sampling) next.sampling = std::make_shared<MeshSampling>(*run.sampling);
     extend(next.extent, initial.worldFromGrid * run.inPlane.positions);

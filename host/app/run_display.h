@@ -33,12 +33,14 @@ class RunDisplay {
 
  private:
   std::optional<ShownGrid> makeTarget(const GridShape& shape, const SceneDesign& designed);
-  ShownGrid placed(const StrutGrid& grid, const Eigen::Matrix3Xd& positions);
+  ShownGrid placed(const StrutGrid& grid, const Eigen::Matrix3Xd& positions,
+                   const JointRotations& rotations = {});
   ShownGrid withNewestPositions(ShownGrid shown) const;
   std::string describeDistance(const ShownGrid& shown, const Snapshot& snapshot) const;
 
   const Device& device_;
   SnapshotBoard& board_;
+  double meanLength_ = 0;                 ///< Of the last design's lateral struts; 0: none yet.
   int stages_ = 0;                        ///< Stages of this run so far.
   ShownGrid live_;                        ///< What is solved.
   std::shared_ptr<DeviceGrid> onDevice_;  ///< The same.

@@ -31,11 +31,13 @@ SceneKeySection topKeys() {
 }
 
 SceneKey sizeKey(const char* name, std::optional<double> MaterialRequest::*size,
-                 const NumberRange& range, const char* defaultInWords, const char* meaning) {
+                 const NumberRange& range, const char* defaultInWords, const char* meaning,
+                 std::optional<KnobOffer> knob = std::nullopt) {
   return {.name = name,
           .value = numberKey(at(&Scene::material, size), range),
           .unit = "length",
           .defaultInWords = defaultInWords,
+          .knob = std::move(knob),
           .meaning = meaning};
 }
 
@@ -54,11 +56,11 @@ SceneKeySection materialKeys() {
                    "stand for such bars, weighed by their size, whose corners rest as printed: a "
                    "preview of the frame for any method."},
               sizeKey("bar_width", &Material::barWidth, above(0), "a fifth of the mean rest length",
-                      "Width of lateral bars, in the sheet's plane."),
+                      "Width of lateral bars, in the sheet's plane.", aroundItsValue("bar width")),
               sizeKey("bar_height", &Material::barHeight, above(0), "`bar_width`",
-                      "Height of lateral bars, across the sheet."),
+                      "Height of lateral bars, across the sheet.", aroundItsValue("bar height")),
               sizeKey("post_width", &Material::postWidth, above(0), "`bar_width`",
-                      "Width of the square posts between layers."),
+                      "Width of the square posts between layers.", aroundItsValue("post width")),
               sizeKey("joint_radius", &Material::jointRadius, atLeast(0),
                       "a quarter of `bar_width`", "How much of a bar is rigid at either end."),
               {.name = "poisson",

@@ -64,6 +64,15 @@ BarSizes barSizesOf(const MaterialRequest& material, double meanLength) {
           .joint = material.jointRadius.value_or(kJointShare * width)};
 }
 
+MaterialRequest withSizes(MaterialRequest material, double meanLength) {
+  const BarSizes sizes = barSizesOf(material, meanLength);
+  material.barWidth = sizes.width;
+  material.barHeight = sizes.height;
+  material.postWidth = sizes.post;
+  material.jointRadius = sizes.joint;
+  return material;
+}
+
 void applyMaterial(StrutGrid& grid, const MaterialRequest& material) {
   if (material.model == Model::paper) {
     return;

@@ -41,6 +41,8 @@ struct BarSizes {
   double width, height, post, joint;
 };
 BarSizes barSizesOf(const MaterialRequest& material, double meanLength);
+/// With the sizes that it leaves out.
+MaterialRequest withSizes(MaterialRequest material, double meanLength);
 
 /// Makes of the struts of a stacked grid, at the positions where it is printed, what the model
 /// says. The modulus makes EA of lateral bars twice the mean stiffness of springs times the mean

@@ -5,13 +5,6 @@
 namespace morphgrid {
 namespace {
 
-void addStruts(tinygltf::Model& model, const StrutGrid& grid, const Eigen::Matrix3Xd& positions) {
-  tinygltf::Primitive lines;
-  lines.attributes["POSITION"] = addPositions(model, strutEnds(grid.shape, positions));
-  lines.attributes["COLOR_0"] = addVectors(model, strutColors(grid, positions));
-  addStrutNode(model, std::move(lines));
-}
-
 void addSurface(tinygltf::Model& model, const SurfaceMesh& surface) {
   tinygltf::Primitive triangles;
   triangles.attributes["POSITION"] = addPositions(model, surface.vertices.cast<float>());
@@ -23,11 +16,12 @@ void addSurface(tinygltf::Model& model, const SurfaceMesh& surface) {
 }  // namespace
 
 void exportGltf(const std::filesystem::path& path, const StrutGrid& grid,
-                const Eigen::Matrix3Xd& positions, const SurfaceMesh& surface) {
+                const Eigen::Matrix3Xd& positions, const SurfaceMesh& surface,
+                const JointRotations& rotations) {
   requireFloats(path, positions);
   requireFloats(path, surface.vertices);
   tinygltf::Model model = emptyModel();
-  addStruts(model, grid, positions);
+  addStrutNode(model, addStruts(model, grid, positions, rotations));
   addSurface(model, surface);
   writeModel(path, model);
 }

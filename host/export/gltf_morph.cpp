@@ -15,15 +15,16 @@ int addDifference(tinygltf::Model& model, const Eigen::Matrix3Xd& to,
 
 void addMorphingStruts(tinygltf::Model& model, const StrutGrid& grid,
                        const std::vector<MorphKey>& keys) {
-  const auto ends = [&](const MorphKey& key) { return strutEnds(grid.shape, key.positions); };
-  const Eigen::Matrix3Xf first = ends(keys.front());
-  tinygltf::Primitive lines;
-  lines.attributes["POSITION"] = addPositions(model, first);
-  lines.attributes["COLOR_0"] = addVectors(model, strutColors(grid, keys.front().positions));
+  const auto vertices = [&](const MorphKey& key) {
+    return strutVertices(grid, key.positions, key.rotations);
+  };
+  const MorphKey& begin = keys.front();
+  const Eigen::Matrix3Xf first = vertices(begin);
+  tinygltf::Primitive struts = addStruts(model, grid, begin.positions, begin.rotations);
   for (auto key = keys.begin() + 1; key != keys.end(); ++key) {
-    lines.targets.push_back({{"POSITION", addPositions(model, ends(*key) - first)}});
+    struts.targets.push_back({{"POSITION", addPositions(model, vertices(*key) - first)}});
   }
-  addStrutNode(model, std::move(lines));
+  addStrutNode(model, std::move(struts));
 }
 
 void addMorphingSurface(tinygltf::Model& model, const std::vector<MorphKey>& keys) {

@@ -2,6 +2,7 @@
 #include <filesystem>
 #include <vector>
 
+#include "grid/joint_rotations.h"
 #include "grid/strut_grid.h"
 #include "grid/surface_mesh.h"
 
@@ -11,6 +12,7 @@ namespace morphgrid {
 struct MorphKey {
   Eigen::Matrix3Xd positions;  ///< grid.shape.vertexCount() columns.
   SurfaceMesh surface;         ///< All keys have the same triangles.
+  JointRotations rotations{};  ///< Of a frame.
 };
 
 /// When the grid has the shape of which key; linear in between.

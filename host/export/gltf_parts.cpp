@@ -8,6 +8,7 @@
 
 #include "core/atomic_file.h"
 #include "core/error.h"
+#include "export/bar_mesh.h"
 #include "grid/strain.h"
 #include "shared/strain_color.h"
 
@@ -65,11 +66,33 @@ void addNode(tinygltf::Model& model, const std::string& name, const tinygltf::Ma
 }
 
 /// Lines have no normals to shade by, and their colours are data.
-tinygltf::Material strutMaterial() {
+tinygltf::Material lineMaterial() {
   tinygltf::Material material;
   material.name = "strain";
   material.extensions[kUnlit] = tinygltf::Value(tinygltf::Value::Object());
   return material;
+}
+
+/// Without light nobody could tell the sides of a bar.
+tinygltf::Material barMaterial() {
+  tinygltf::Material material;
+  material.name = "strain";
+  material.pbrMetallicRoughness.metallicFactor = 0;
+  material.pbrMetallicRoughness.roughnessFactor = 0.8;
+  return material;
+}
+
+/// The strain's colour of every strut, once for each of its vertices.
+Eigen::Matrix3Xf strutColors(const StrutGrid& grid, const Eigen::Matrix3Xd& positions,
+                             int verticesPerStrut) {
+  const std::vector<double> strutStrains = strains(grid, positions);
+  Eigen::Matrix3Xf colors(3, verticesPerStrut * strutStrains.size());
+  for (std::size_t i = 0; i < strutStrains.size(); ++i) {
+    const vec3 color = strainColor(static_cast<float>(strutStrains[i]));
+    colors.middleCols(verticesPerStrut * i, verticesPerStrut).colwise() =
+        Eigen::Vector3f(color.r, color.g, color.b);
+  }
+  return colors;
 }
 
 tinygltf::Material surfaceMaterial() {
@@ -131,29 +154,36 @@ int addTimes(tinygltf::Model& model, const Eigen::VectorXf& seconds) {
   return index;
 }
 
-Eigen::Matrix3Xf strutEnds(const GridShape& shape, const Eigen::Matrix3Xd& positions) {
-  Eigen::Matrix3Xf ends(3, 2 * shape.strutCount());
+Eigen::Matrix3Xf strutVertices(const StrutGrid& grid, const Eigen::Matrix3Xd& positions,
+                               const JointRotations& rotations) {
+  if (grid.bars) {
+    return barVertices(grid, positions, rotations).cast<float>();
+  }
+  Eigen::Matrix3Xf ends(3, 2 * grid.shape.strutCount());
   Eigen::Index n = 0;
-  forEachStrut(shape, [&](const Strut& strut) {
+  forEachStrut(grid.shape, [&](const Strut& strut) {
     ends.col(n++) = positions.col(strut.from).cast<float>();
     ends.col(n++) = positions.col(strut.to).cast<float>();
   });
   return ends;
 }
 
-Eigen::Matrix3Xf strutColors(const StrutGrid& grid, const Eigen::Matrix3Xd& positions) {
-  const std::vector<double> strutStrains = strains(grid, positions);
-  Eigen::Matrix3Xf colors(3, 2 * strutStrains.size());
-  for (std::size_t i = 0; i < strutStrains.size(); ++i) {
-    const vec3 color = strainColor(static_cast<float>(strutStrains[i]));
-    colors.middleCols<2>(2 * i).colwise() = Eigen::Vector3f(color.r, color.g, color.b);
+tinygltf::Primitive addStruts(tinygltf::Model& model, const StrutGrid& grid,
+                              const Eigen::Matrix3Xd& positions, const JointRotations& rotations) {
+  tinygltf::Primitive struts;
+  struts.mode = grid.bars ? TINYGLTF_MODE_TRIANGLES : TINYGLTF_MODE_LINE;
+  struts.attributes["POSITION"] = addPositions(model, strutVertices(grid, positions, rotations));
+  struts.attributes["COLOR_0"] =
+      addVectors(model, strutColors(grid, positions, grid.bars ? kBarMeshVertices : 2));
+  if (grid.bars) {
+    struts.indices = addIndices(model, barTriangles(grid.shape));
   }
-  return colors;
+  return struts;
 }
 
-void addStrutNode(tinygltf::Model& model, tinygltf::Primitive lines) {
-  lines.mode = TINYGLTF_MODE_LINE;
-  addNode(model, "struts", strutMaterial(), std::move(lines));
+void addStrutNode(tinygltf::Model& model, tinygltf::Primitive struts) {
+  const bool areLines = struts.mode == TINYGLTF_MODE_LINE;
+  addNode(model, "struts", areLines ? lineMaterial() : barMaterial(), std::move(struts));
 }
 
 void addSurfaceNode(tinygltf::Model& model, tinygltf::Primitive triangles) {

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <string>
 
+#include "grid/joint_rotations.h"
 #include "grid/strut_grid.h"
 
 namespace morphgrid {
@@ -23,15 +24,19 @@ int addIndices(tinygltf::Model& model, const Eigen::Matrix3Xi& triangles);
 int addPositions(tinygltf::Model& model, const Eigen::Matrix3Xf& positions);
 int addTimes(tinygltf::Model& model, const Eigen::VectorXf& seconds);
 
-/// Both ends of every strut, in the order of forEachStrut(): every strut has two vertices of its
-/// own, since shared ones would blend the colours of neighbours.
-Eigen::Matrix3Xf strutEnds(const GridShape& shape, const Eigen::Matrix3Xd& positions);
+/// Both ends of every strut, in the order of forEachStrut(): every strut has vertices of its own,
+/// since shared ones would blend the colours of neighbours. Of a frame the vertices of
+/// barVertices(); rotations: of its joints.
+Eigen::Matrix3Xf strutVertices(const StrutGrid& grid, const Eigen::Matrix3Xd& positions,
+                               const JointRotations& rotations);
 
-/// The colours of both ends by the strut's strain.
-Eigen::Matrix3Xf strutColors(const StrutGrid& grid, const Eigen::Matrix3Xd& positions);
+/// Lines, or the bars of a frame, in the colours of the struts' strain. Bars have no normals: then
+/// the standard wants their sides flat.
+tinygltf::Primitive addStruts(tinygltf::Model& model, const StrutGrid& grid,
+                              const Eigen::Matrix3Xd& positions, const JointRotations& rotations);
 
 /// A mesh of one primitive in a node that turns the scene's +z into glTF's up.
-void addStrutNode(tinygltf::Model& model, tinygltf::Primitive lines);
+void addStrutNode(tinygltf::Model& model, tinygltf::Primitive struts);
 void addSurfaceNode(tinygltf::Model& model, tinygltf::Primitive triangles);
 
 /// Throws InputError naming the path when a number does not fit a float.

@@ -13,9 +13,11 @@
 
 #include <algorithm>
 #include <cassert>
+#include <vector>
 
 #include "core/atomic_file.h"
 #include "core/error.h"
+#include "energy/bar_state.h"
 #include "grid/shrink.h"
 #include "grid/strain.h"
 
@@ -50,7 +52,26 @@ void addCellArray(vtkUnstructuredGrid& target, const char* name, const GridShape
   target.GetCellData()->AddArray(values);
 }
 
-void fill(vtkUnstructuredGrid& target, const StrutGrid& grid, const Eigen::Matrix3Xd& positions) {
+void addBarArrays(vtkUnstructuredGrid& target, const StrutGrid& grid, const FramePlacement& place) {
+  std::vector<BarState> bars;
+  bars.reserve(grid.shape.strutCount());
+  forEachStrut(grid.shape,
+               [&](const Strut& strut) { bars.push_back(barStateAt(grid, place, strut)); });
+  const auto add = [&](const char* name, double BarState::*figure) {
+    auto next = bars.begin();
+    addCellArray<vtkDoubleArray>(target, name, grid.shape,
+                                 [&](const Strut&) { return (*next++).*figure; });
+  };
+  add("axial_energy", &BarState::axialEnergy);
+  add("bending_energy", &BarState::bendingEnergy);
+  add("shear_energy", &BarState::shearEnergy);
+  add("twist_energy", &BarState::twistEnergy);
+  add("bending_strain", &BarState::bendingStrain);
+  add("joint_rotation", &BarState::jointRotation);
+}
+
+void fill(vtkUnstructuredGrid& target, const StrutGrid& grid, const Eigen::Matrix3Xd& positions,
+          const JointRotations& rotations) {
   const GridShape& shape = grid.shape;
   const StrutValues shrinks = computeShrinks(grid);
   setPoints(target, positions);
@@ -66,16 +87,20 @@ void fill(vtkUnstructuredGrid& target, const StrutGrid& grid, const Eigen::Matri
                             [&](const Strut& strut) { return strut.layer; });
   addCellArray<vtkIntArray>(target, "direction", shape,
                             [&](const Strut& strut) { return static_cast<int>(strut.direction); });
+  if (grid.bars) {
+    addBarArrays(target, grid, {positions, rotations});
+  }
   target.GetCellData()->SetActiveScalars("strain");
 }
 
 }  // namespace
 
 void exportVtu(const std::filesystem::path& path, const StrutGrid& grid,
-               const Eigen::Matrix3Xd& positions) {
+               const Eigen::Matrix3Xd& positions, const JointRotations& rotations) {
   assert(positions.cols() == grid.shape.vertexCount());
+  assert(rotations.cols() == (grid.bars ? positions.cols() : 0));
   vtkNew<vtkUnstructuredGrid> target;
-  fill(*target, grid, positions);
+  fill(*target, grid, positions, rotations);
   vtkNew<vtkXMLUnstructuredGridWriter> writer;
   writer->SetInputData(target);
   // Into memory: VTK's pipeline prints what the disk refuses, whoever listens to the writer.

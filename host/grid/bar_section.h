@@ -1,4 +1,7 @@
 #pragma once
+#include <Eigen/Core>
+#include <cmath>
+
 #include "grid/bars.h"
 
 namespace morphgrid {
@@ -15,5 +18,17 @@ struct BarSize {
 /// A solid rectangle's stiffnesses: torsion by Roark's formula, a shear correction of 5/6.
 /// modulus: Young's, see BarSection for its unit.
 BarSection rectangularSection(const BarSize& size, double modulus);
+
+/// The side of a solid rectangle, in the plane in which it bends, from its EA and EI.
+inline double rectangleSide(double stretching, double bending) {
+  return std::sqrt(12 * bending / stretching);
+}
+
+/// Width and height of the solid rectangle that stretches and bends as the section does, in the
+/// scene's unit of length.
+inline Eigen::Array2d rectangleOf(const BarSection& section) {
+  return {rectangleSide(section.stretching, section.bendingN),
+          rectangleSide(section.stretching, section.bendingB)};
+}
 
 }  // namespace morphgrid

@@ -44,6 +44,17 @@ double angleBetween(const SheetCorner& corner, const DirectionOf& directionOf) {
 
 int otherEnd(const SheetBar& bar, bool leaves) { return leaves ? bar.to : bar.from; }
 
+/// A corner's printed angle less that in the target's tangent plane.
+double angleError(const SheetCorner& corner, const std::vector<SheetBar>& bars,
+                  const std::vector<Eigen::Vector2d>& chords) {
+  const double printed = angleBetween(
+      corner, [&](int bar, bool) { return std::atan2(chords[bar].y(), chords[bar].x()); });
+  const double wanted = angleBetween(corner, [&](int bar, bool atFrom) {
+    return atFrom ? bars[bar].directionFrom : bars[bar].directionTo;
+  });
+  return wrapped(printed - wanted);
+}
+
 double cornerAngle(const SheetCorner& corner, const std::vector<SheetBar>& bars,
                    const Matrix3Xd& positions) {
   const auto arm = [&](int bar, bool leaves) {
@@ -112,14 +123,8 @@ SheetFigures computeSheetFigures(const SheetProblem& problem, const Sheet& sheet
   addScales(problem, bars, chords, figures);
   figures.fittingLayerSpacing = layerSpacing / usualShareOfRange(problem, bars);
 
-  const MeanAndLargest angles = overCorners(corners, [&](const SheetCorner& corner) {
-    const double printed = angleBetween(
-        corner, [&](int bar, bool) { return std::atan2(chords[bar].y(), chords[bar].x()); });
-    const double wanted = angleBetween(corner, [&](int bar, bool atFrom) {
-      return atFrom ? bars[bar].directionFrom : bars[bar].directionTo;
-    });
-    return wrapped(printed - wanted);
-  });
+  const MeanAndLargest angles = overCorners(
+      corners, [&](const SheetCorner& corner) { return angleError(corner, bars, chords); });
   figures.meanAngle = angles.mean;
   figures.largestAngle = angles.largest;
 
@@ -137,6 +142,17 @@ SheetFigures computeSheetFigures(const SheetProblem& problem, const Sheet& sheet
   figures.sizeX = size.x();
   figures.sizeY = size.y();
   return figures;
+}
+
+Eigen::VectorXd printedAngleErrors(const SheetProblem& problem, const Sheet& sheet) {
+  const std::vector<SheetBar> bars = sheetBars(problem);
+  const std::vector<Eigen::Vector2d> chords = chordsOf(bars, sheet);
+  Eigen::VectorXd errors = Eigen::VectorXd::Zero(problem.layer.layerVertexCount());
+  for (const SheetCorner& corner : sheetCorners(problem.layer)) {
+    double& largest = errors[corner.joint];
+    largest = std::max(largest, std::abs(angleError(corner, bars, chords)));
+  }
+  return errors;
 }
 
 std::vector<std::string> adviseOn(const SheetFigures& sheet, const ShrinkRange& shrink) {

@@ -31,6 +31,10 @@ struct SheetFigures {
 SheetFigures computeSheetFigures(const SheetProblem& problem, const Sheet& sheet,
                                  double layerSpacing);
 
+/// Of each joint, the largest of its corners' printed angles less those in the target's tangent
+/// plane, absolute, rad; layerVertexCount.
+Eigen::VectorXd printedAngleErrors(const SheetProblem& problem, const Sheet& sheet);
+
 /// What to change where more than 1 % of the struts do not fit the material; a sentence each.
 std::vector<std::string> adviseOn(const SheetFigures& sheet, const ShrinkRange& shrink);
 

@@ -23,7 +23,8 @@ Image drawStrutShares(const Device& device, const DeviceGrid& grid, const StrutV
   const GridPainter painter(device, target.pass());
   const LocalView view = viewOf(grid, Eigen::Isometry3d::Identity(), camera, height);
   return {width, height, target.render([&](const CommandBuffer& commands) {
-            painter.draw(commands, resources, {.directions = {true, true, false}}, view);
+            painter.draw(commands, resources,
+                         {.style = pictureStyleOf(grid), .directions = {true, true, false}}, view);
           })};
 }
 

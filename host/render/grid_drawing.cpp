@@ -5,7 +5,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/gtc/type_ptr.hpp>
 
-#include "shared/solver_types.h"
+#include "grid/bar_section.h"
 
 namespace morphgrid {
 namespace {
@@ -29,6 +29,22 @@ glm::dmat4 worldFromLocal(const DeviceGrid& grid, const Eigen::Isometry3d& world
 double chooseHalfWidth(const GridShape& shape) {
   const double longerSide = std::max(shape.verticesU, shape.verticesV) - 1;
   return std::min(kStrutHalfWidth, kLargestHalfWidth * longerSide);
+}
+
+struct HalfSize {
+  double width, height;
+};
+
+/// Of a strut, in spacings.
+HalfSize halfSizeOf(const DeviceGrid& grid, int direction) {
+  if (!grid.isFrame()) {
+    const double half = chooseHalfWidth(grid.shape());
+    return {half, half};
+  }
+  const DeviceFrame& frame = grid.frame();
+  const DeviceBarSection& section = direction == 2 ? frame.upright : frame.lateral;
+  return {rectangleSide(section.stretching, section.bendingN) / 2,
+          rectangleSide(section.stretching, section.bendingB) / 2};
 }
 
 double cellCount(const GridShape& shape) {
@@ -58,23 +74,29 @@ TexelView stiffnessTexels(const Device& device, const DeviceGrid& grid) {
   return {device, grid.stiffness(), TexelFormat::float4};
 }
 
+TexelView printedTexels(const Device& device, const DeviceGrid& grid) {
+  return {device, grid.printed(), TexelFormat::float4};
+}
+
 LocalView viewOf(const DeviceGrid& grid, const Eigen::Isometry3d& worldFromGrid,
                  const Camera& camera, int imageHeight) {
   return localView(worldFromLocal(grid, worldFromGrid), camera, imageHeight);
 }
 
-StrutPush strutPush(const DeviceGrid& grid, const LocalView& view) {
-  const GridShape& shape = grid.shape();
+StrutPush strutPush(const DeviceGrid& grid, const LocalView& view, int direction) {
+  const HalfSize half = halfSizeOf(grid, direction);
   StrutPush push{};
   push.clipFromLocal = view.clipFromLocal;
   push.eye = view.eye;
-  push.halfWidth = static_cast<float>(chooseHalfWidth(shape));
+  push.halfWidth = static_cast<float>(half.width);
   push.towardsLight = view.towardsLight;
   push.resolution = static_cast<float>(grid.resolution());
-  push.size = sizeOf(shape);
+  push.size = sizeOf(grid.shape());
+  push.direction = direction;
   push.restResolution = static_cast<float>(grid.restResolution());
   push.pixelSize = view.pixelSize;
   push.stride = 1;
+  push.halfHeight = static_cast<float>(half.height);
   return push;
 }
 

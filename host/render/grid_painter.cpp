@@ -3,6 +3,7 @@
 #include <cassert>
 
 #include "gpu/command_stream.h"
+#include "render/bar_vert.h"
 #include "render/ribbon_frag.h"
 #include "render/ribbon_vert.h"
 #include "render/strut_line_frag.h"
@@ -11,7 +12,6 @@
 #include "render/surface_vert.h"
 #include "render/tube_frag.h"
 #include "render/tube_vert.h"
-#include "shared/solver_types.h"
 
 namespace morphgrid {
 namespace {
@@ -19,7 +19,10 @@ namespace {
 /// One layout for all pipelines, so that a grid's resources suit each of them.
 std::vector<ResourceSlot> paintedSlots() {
   constexpr auto kTexels = ResourceType::uniformTexelBuffer;
-  return {{kBindingPositions, kTexels}, {kBindingRest, kTexels}, {kBindingShares, kTexels}};
+  return {{kBindingPositions, kTexels},
+          {kBindingRest, kTexels},
+          {kBindingShares, kTexels},
+          {kBindingPrinted, kTexels}};
 }
 
 GraphicsPipeline strutPainter(const Device& device, const ShaderPair& shaders, const DrawPass& pass,
@@ -39,7 +42,7 @@ ShaderPair with(std::uint32_t constant, ShaderPair shaders) {
   return shaders;
 }
 
-uint verticesPerStrut(StrutStyle style) {
+uint verticesPerStrut(StrutStyle style, bool isFrame) {
   switch (style) {
     case StrutStyle::lines:
       return kVerticesPerLine;
@@ -48,7 +51,7 @@ uint verticesPerStrut(StrutStyle style) {
     case StrutStyle::tubes:
       break;
   }
-  return kVerticesPerTube;
+  return isFrame ? kVerticesPerBar : kVerticesPerTube;
 }
 
 /// A texel a vertex: the shares of its struts to +u, +v and +w, and its column's.
@@ -80,8 +83,9 @@ GridResources::GridResources(const Device& device, const DeviceGrid& grid,
       positions_(positionTexels(device, grid)),
       previousPositions_(texelsOf(device, grid.previousPositions())),
       rest_(restTexels(device, grid)),
-      noShares_(stiffnessTexels(device, grid)),
-      shares_(shares ? &shares->texels() : &noShares_),
+      unread_(stiffnessTexels(device, grid)),
+      printed_(grid.isFrame() ? std::optional(printedTexels(device, grid)) : std::nullopt),
+      shares_(shares ? &shares->texels() : &unread_),
       layout_(device, paintedSlots(), ShaderStage::vertex),
       newestFirst_(setFor(device, positions_)),
       newestSecond_(setFor(device, previousPositions_)) {}
@@ -89,7 +93,10 @@ GridResources::GridResources(const Device& device, const DeviceGrid& grid,
 ResourceSet GridResources::setFor(const Device& device, const TexelView& positions) const {
   return {device,
           layout_,
-          {{kBindingPositions, &positions}, {kBindingRest, &rest_}, {kBindingShares, shares_}}};
+          {{kBindingPositions, &positions},
+           {kBindingRest, &rest_},
+           {kBindingShares, shares_},
+           {kBindingPrinted, printed_ ? &*printed_ : &unread_}}};
 }
 
 GridPainter::Painter GridPainter::strutPainters(const Device& device, const DrawPass& pass,
@@ -105,6 +112,8 @@ GridPainter::GridPainter(const Device& device, const DrawPass& pass)
                             Primitive::triangles),
               strutPainters(device, pass, {tube_vert_spirv, tube_frag_spirv},
                             Primitive::frontTriangles)},
+      bars_(strutPainters(device, pass, {bar_vert_spirv, tube_frag_spirv},
+                          Primitive::frontTriangles)),
       surface_{
           surfacePainter(device, {surface_vert_spirv, surface_frag_spirv}, pass),
           surfacePainter(
@@ -133,25 +142,30 @@ void GridPainter::drawSurface(const CommandBuffer& commands, const GridResources
   pipeline.draw(commands, push, surfaceVertexCount(push));
 }
 
+const GridPainter::Painter& GridPainter::painterOf(StrutStyle style, bool isFrame) const {
+  return isFrame && style == StrutStyle::tubes ? bars_ : struts_[static_cast<std::size_t>(style)];
+}
+
 void GridPainter::drawStruts(const CommandBuffer& commands, const GridResources& resources,
                              const ResourceSet& set, const GridLook& look,
                              const LocalView& view) const {
-  const Painter& painter = struts_[static_cast<std::size_t>(look.style)];
+  const bool isFrame = resources.grid_.isFrame();
+  const Painter& painter = painterOf(look.style, isFrame);
   const GraphicsPipeline& pipeline = resources.hasShares_ ? painter.shares : painter.plain;
-  StrutPush push = strutPush(resources.grid_, view);
   GridShape drawn = resources.grid_.shape();
   if (look.style == StrutStyle::lines) {
-    push.stride = look.stride;
-    const ivec2 lattice = thinnedSize(push.size, look.stride);
+    const ivec2 lattice = thinnedSize(sizeOf(drawn), look.stride);
     drawn.verticesU = lattice.x;
     drawn.verticesV = lattice.y;
   }
   pipeline.bind(commands, set);
-  for (push.direction = 0; push.direction < 3; ++push.direction) {
+  for (int direction = 0; direction < 3; ++direction) {
     const auto count =
-        static_cast<uint>(drawn.strutCount(static_cast<Strut::Direction>(push.direction)));
-    if (look.directions[push.direction] && count > 0) {
-      pipeline.draw(commands, push, count * verticesPerStrut(look.style));
+        static_cast<uint>(drawn.strutCount(static_cast<Strut::Direction>(direction)));
+    if (look.directions[direction] && count > 0) {
+      StrutPush push = strutPush(resources.grid_, view, direction);
+      push.stride = look.style == StrutStyle::lines ? look.stride : 1;
+      pipeline.draw(commands, push, count * verticesPerStrut(look.style, isFrame));
     }
   }
 }

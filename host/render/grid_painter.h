@@ -26,8 +26,13 @@ class StrutShares {
 enum class StrutStyle {
   lines,    ///< A pixel wide.
   ribbons,  ///< Facing the eye, shaded like rods.
-  tubes,    ///< Prisms, from any side and up close what they look like.
+  tubes,    ///< Prisms, from any side and up close what they look like; a frame's are its bars.
 };
+
+/// How struts are drawn in pictures: of a frame one sees the bars.
+inline StrutStyle pictureStyleOf(const DeviceGrid& grid) {
+  return grid.isFrame() ? StrutStyle::tubes : StrutStyle::ribbons;
+}
 
 /// What of a grid is drawn, and how.
 struct GridLook {
@@ -58,7 +63,8 @@ class GridResources {
   TexelView positions_;
   TexelView previousPositions_;
   TexelView rest_;
-  TexelView noShares_;  ///< Unread, but a set has no gaps.
+  TexelView unread_;                  ///< A set has no gaps.
+  std::optional<TexelView> printed_;  ///< Of a frame.
   const TexelView* shares_;
   ResourceLayout layout_;
   ResourceSet newestFirst_;
@@ -84,12 +90,14 @@ class GridPainter {
 
   static Painter strutPainters(const Device& device, const DrawPass& pass,
                                const ShaderPair& shaders, Primitive primitive);
+  const Painter& painterOf(StrutStyle style, bool isFrame) const;
   void drawStruts(const CommandBuffer& commands, const GridResources& resources,
                   const ResourceSet& set, const GridLook& look, const LocalView& view) const;
   void drawSurface(const CommandBuffer& commands, const GridResources& resources,
                    const ResourceSet& set, const GridLook& look, const LocalView& view) const;
 
   std::array<Painter, 3> struts_;  ///< Indexed by StrutStyle.
+  Painter bars_;                   ///< For StrutStyle::tubes, of frames.
   Painter surface_;
   GraphicsPipeline veil_;
 };

@@ -38,6 +38,14 @@ Legend shrinkLegend() {
            {0.98, "over", ""}}};
 }
 
+Legend scaleLegend(const std::string& title, double largest, const std::string& unit) {
+  return {title,
+          [](double place) { return shareColor(static_cast<float>(place)); },
+          {{0, "0", ""},
+           {0.5, fmt::format("{:.2g}{}", largest / 2, unit), ""},
+           {1, fmt::format("{:.2g}{}", largest, unit), ""}}};
+}
+
 Legend distanceLegend(double largest, double largestPercent) {
   const auto mark = [&](double share) {
     return LegendMark{share, fmt::format("{:.2g} %", share * largestPercent),

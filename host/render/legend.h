@@ -31,4 +31,7 @@ Legend shrinkLegend();
 /// `largestPercent` of the target's diagonal.
 Legend distanceLegend(double largest, double largestPercent);
 
+/// For struts or surfaces coloured from 0 to `largest`; unit: what stands behind the numbers.
+Legend scaleLegend(const std::string& title, double largest, const std::string& unit);
+
 }  // namespace morphgrid

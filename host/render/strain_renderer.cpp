@@ -20,7 +20,7 @@ Image StrainRenderer::draw(const DeviceGrid& grid, const GridLook& look,
 
 Image StrainRenderer::drawStruts(const DeviceGrid& grid, const Eigen::Isometry3d& worldFromGrid,
                                  const Camera& camera) {
-  return draw(grid, {}, worldFromGrid, camera);
+  return draw(grid, {.style = pictureStyleOf(grid)}, worldFromGrid, camera);
 }
 
 Image StrainRenderer::drawSurface(const DeviceGrid& grid, const Eigen::Isometry3d& worldFromGrid,

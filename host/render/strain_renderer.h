@@ -14,7 +14,8 @@ class StrainRenderer {
   /// or 4. Keeps a reference. Throws DeviceError when the device cannot draw such an image.
   StrainRenderer(const Device& device, int width, int height, int samples = 4);
 
-  /// The struts, coloured by strain (shaders/shared/strain_color.h). worldFromGrid moves the grid
+  /// The struts, of a frame as its bars, coloured by strain (shaders/shared/strain_color.h).
+  /// worldFromGrid moves the grid
   /// from where it lies, in the scene's unit of length, to where the camera looks. Throws
   /// DeviceError when the device fails or the grid exceeds its limits.
   Image drawStruts(const DeviceGrid& grid, const Eigen::Isometry3d& worldFromGrid,

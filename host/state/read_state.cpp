@@ -145,6 +145,19 @@ Eigen::Isometry3d readIsometry(const ArrayReader& reader, const std::string& nam
   return isometry;
 }
 
+/// None of grids whose joints do not turn, and in files that do not tell.
+JointRotations readRotations(const ArrayReader& reader, const GridShape& shape) {
+  if (!reader.has("joint_rotations")) {
+    return {};
+  }
+  const std::vector<double> values =
+      reader.numbers("joint_rotations", StateShapes(shape).rotations());
+  const JointRotations rotations =
+      Eigen::Map<const JointRotations>(values.data(), 4, shape.vertexCount());
+  reader.require(((rotations.colwise().norm().array() - 1).abs() < kRotationTolerance).all());
+  return rotations;
+}
+
 RunRecord readRecord(const ArrayReader& reader, const GridShape& shape) {
   RunRecord record;
   try {
@@ -160,6 +173,7 @@ RunRecord readRecord(const ArrayReader& reader, const GridShape& shape) {
   record.inPlane->history = readHistory(reader, "in_plane_history");
   Equilibrium& last = isStacked ? *record.full : *record.inPlane;
   last.positions = reader.points("positions", shapes.points());
+  last.rotations = readRotations(reader, shape);
   last.history = readHistory(reader, "history");
   return record;
 }
@@ -210,6 +224,12 @@ RunState readState(const std::filesystem::path& path) {
                  readRecord(reader, shape)};
   if (reader.has("target_positions")) {
     state.targets = reader.points("target_positions", StateShapes(shape).layerPoints());
+  }
+  if (reader.has("printed_angle_errors")) {
+    const std::vector<double> errors =
+        reader.numbers("printed_angle_errors", StateShapes(shape).layerVertices());
+    state.angleErrors =
+        Eigen::Map<const Eigen::VectorXd>(errors.data(), static_cast<Eigen::Index>(errors.size()));
   }
   if (reader.has("mesh_vertices")) {
     state.sampling = MeshSampling{readMesh(reader), readHits(reader)};

@@ -22,6 +22,8 @@ struct RunState {
   StrutGrid grid;                           ///< The grid of the last stage, as printed.
   Eigen::Isometry3d targetFromGrid;         ///< Brings the result to where the target lies.
   RunRecord record;                         ///< As readReport() gives it, with the stages whole.
+  /// layerVertexCount, rad, of conformal sheets: see printedAngleErrors(); else empty.
+  Eigen::VectorXd angleErrors{};
 
   /// Where the last stage came to rest.
   const Equilibrium& equilibrium() const { return record.full ? *record.full : *record.inPlane; }

@@ -24,6 +24,8 @@ struct StateShapes {
         verticesU(static_cast<std::size_t>(shape.verticesU)) {}
 
   ArrayShape layerPoints() const { return {verticesV, verticesU, 3}; }
+  ArrayShape layerVertices() const { return {verticesV, verticesU}; }
+  ArrayShape rotations() const { return {layers, verticesV, verticesU, 4}; }
   ArrayShape points() const { return {layers, verticesV, verticesU, 3}; }
   /// Shapes for the struts of one layer, then for those of all layers.
   ArrayShape layerStrutsU() const { return {verticesV, verticesU - 1}; }

@@ -88,12 +88,18 @@ void addResult(ArrayList& arrays, const RunState& state) {
   const RunRecord& record = state.record;
   arrays.add("in_plane_positions", shapes.layerPoints(), record.inPlane->positions);
   arrays.add("positions", shapes.points(), state.equilibrium().positions);
+  if (const auto& rotations = state.equilibrium().rotations; rotations.cols() > 0) {
+    arrays.add("joint_rotations", shapes.rotations(), rotations);
+  }
   addHistory(arrays, "in_plane_history", record.inPlane->history);
   addHistory(arrays, "history", state.equilibrium().history);
   const Eigen::Matrix4d byRow = state.targetFromGrid.matrix().transpose();
   arrays.addMade("target_from_grid", {4, 4}, {byRow.data(), byRow.data() + byRow.size()});
   if (state.targets) {
     arrays.add("target_positions", shapes.layerPoints(), *state.targets);
+  }
+  if (state.angleErrors.size() > 0) {
+    arrays.add("printed_angle_errors", shapes.layerVertices(), state.angleErrors);
   }
 }
 

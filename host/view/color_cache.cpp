@@ -3,7 +3,7 @@
 namespace morphgrid {
 namespace {
 
-constexpr std::chrono::milliseconds kColorPause(500);  // Between distances while they change.
+constexpr std::chrono::milliseconds kColorPause(500);  // Between colours that follow a motion.
 
 }  // namespace
 
@@ -11,7 +11,7 @@ bool ColorCache::isUpToDate(Coloring coloring, const ShownGrid& shown) const {
   if (!shares_ || onDevice_ != shown.onDevice || coloring_ != coloring) {
     return false;
   }
-  return coloring != Coloring::distance || positions_ == shown.positions ||
+  return !followsMotion(coloring) || positions_ == shown.positions ||
          Clock::now() - made_ < kColorPause;
 }
 

@@ -4,22 +4,25 @@
 
 #include <algorithm>
 #include <cassert>
+#include <numbers>
 
 #include "core/bounding_diagonal.h"
+#include "energy/bar_state.h"
 #include "grid/shrink.h"
 #include "shared/share_color.h"
 
 namespace morphgrid {
 namespace {
 
-StrutValues shrinkShares(const StrutGrid& grid, double maxShrinkage) {
-  StrutValues shares = computeShrinks(grid);
-  for (std::vector<double>* direction : {&shares.u, &shares.v, &shares.w}) {
-    for (double& share : *direction) {
-      share /= maxShrinkage;
+constexpr double kDegrees = 180 / std::numbers::pi;
+
+StrutValues dividedBy(StrutValues values, double divisor) {
+  for (std::vector<double>* direction : {&values.u, &values.v, &values.w}) {
+    for (double& value : *direction) {
+      value /= divisor;
     }
   }
-  return shares;
+  return values;
 }
 
 StrutValues layerShares(const GridShape& shape) {
@@ -47,6 +50,37 @@ StrutValues strutShares(const GridShape& shape, const Eigen::VectorXd& columns) 
   return shares;
 }
 
+/// What to divide shares by, where `largest` is 1.
+double scaleOf(double largest) { return largest > 0 ? largest : 1; }
+
+ColorShares distanceColors(const ShownGrid& shown, const Eigen::Matrix3Xd& targets) {
+  const Eigen::VectorXd distances = targetDistances(shown, targets);
+  const double largest = distances.maxCoeff();
+  const Eigen::VectorXd columns = distances / scaleOf(largest);
+  return {strutShares(shown.grid->shape, columns), columns,
+          distanceLegend(largest, 100 * largest / boundingDiagonal(targets))};
+}
+
+ColorShares angleErrorColors(const GridShape& shape, const Eigen::VectorXd& errors) {
+  const double largest = errors.maxCoeff();
+  const Eigen::VectorXd columns = errors / scaleOf(largest);
+  return {strutShares(shape, columns), columns,
+          scaleLegend("printed angle error", largest * kDegrees, "\u00b0")};
+}
+
+ColorShares barColors(const ShownGrid& shown, double BarState::*figure,
+                      const std::function<Legend(double largest)>& legendOf) {
+  const FramePlacement place{*shown.positions, *shown.rotations};
+  StrutValues shares(shown.grid->shape);
+  double largest = 0;
+  forEachStrut(shown.grid->shape, [&](const Strut& strut) {
+    double& value = valueAt(shares, strut);
+    value = barStateAt(*shown.grid, place, strut).*figure;
+    largest = std::max(largest, value);
+  });
+  return {dividedBy(std::move(shares), scaleOf(largest)), {}, legendOf(largest)};
+}
+
 Legend layerLegend(int layers) {
   return {"layer",
           [](double place) { return shareColor(static_cast<float>(place)); },
@@ -55,35 +89,54 @@ Legend layerLegend(int layers) {
 
 }  // namespace
 
-bool canColor(Coloring coloring, const ShownGrid& shown, const Snapshot& snapshot) {
-  switch (coloring) {
-    case Coloring::strain:
-      return true;
-    case Coloring::shrink:
-    case Coloring::layer:
-      return shown.grid != nullptr;
-    case Coloring::distance:
-      break;
+std::string whatIsMissing(Coloring coloring, const ShownGrid& shown, const Snapshot& snapshot) {
+  if (coloring == Coloring::strain) {
+    return "";
   }
-  return shown.grid && shown.positions && snapshot.targets &&
-         snapshot.targets->cols() == shown.grid->shape.layerVertexCount();
+  if (!shown.grid) {
+    return "the grid itself is not there yet";
+  }
+  const int columnCount = shown.grid->shape.layerVertexCount();
+  switch (coloring) {
+    case Coloring::distance:
+      return shown.positions && snapshot.targets && snapshot.targets->cols() == columnCount
+                 ? ""
+                 : "there is no target";
+    case Coloring::bendingStrain:
+    case Coloring::jointRotation:
+      return shown.grid->bars && shown.positions && shown.rotations
+                 ? ""
+                 : "of welded bars alone (material.model)";
+    case Coloring::angleError:
+      return snapshot.angleErrors && snapshot.angleErrors->size() == columnCount
+                 ? ""
+                 : "of conformal sheets alone (design.layout)";
+    default:
+      return "";
+  }
 }
 
 ColorShares computeColors(Coloring coloring, const ShownGrid& shown, const Snapshot& snapshot) {
   assert(coloring != Coloring::strain && canColor(coloring, shown, snapshot));
   const GridShape& shape = shown.grid->shape;
-  if (coloring == Coloring::shrink) {
-    return {shrinkShares(*shown.grid, snapshot.maxShrinkage), {}, shrinkLegend()};
+  switch (coloring) {
+    case Coloring::shrink:
+      return {dividedBy(computeShrinks(*shown.grid), snapshot.maxShrinkage), {}, shrinkLegend()};
+    case Coloring::distance:
+      return distanceColors(shown, *snapshot.targets);
+    case Coloring::bendingStrain:
+      return barColors(shown, &BarState::bendingStrain, [](double largest) {
+        return scaleLegend("bending strain", 100 * largest, " %");
+      });
+    case Coloring::jointRotation:
+      return barColors(shown, &BarState::jointRotation, [](double largest) {
+        return scaleLegend("joint rotation", largest * kDegrees, "\u00b0");
+      });
+    case Coloring::angleError:
+      return angleErrorColors(shape, *snapshot.angleErrors);
+    default:
+      return {layerShares(shape), {}, layerLegend(shape.layers)};
   }
-  if (coloring == Coloring::layer) {
-    return {layerShares(shape), {}, layerLegend(shape.layers)};
-  }
-  const Eigen::Matrix3Xd& targets = *snapshot.targets;
-  const Eigen::VectorXd distances = targetDistances(shown, targets);
-  const double largest = distances.maxCoeff();
-  const double diagonal = boundingDiagonal(targets);
-  const Eigen::VectorXd columns = distances / (largest > 0 ? largest : 1);
-  return {strutShares(shape, columns), columns, distanceLegend(largest, 100 * largest / diagonal)};
 }
 
 }  // namespace morphgrid

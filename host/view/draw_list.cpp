@@ -39,7 +39,8 @@ void DrawList::collect(const Snapshot& snapshot, const ViewState& state, bool is
     govern(shown->onDevice->shape());
   }
   governor_.keepTo(state.strutStyle);
-  pictureStyle_ = state.strutStyle.value_or(StrutStyle::ribbons);
+  pictureStyle_ =
+      state.strutStyle.value_or(isThere ? pictureStyleOf(*shown->onDevice) : StrutStyle::ribbons);
   const Detail detail = isStill ? governor_.still() : governor_.detail();
   samples_ = detail.samples;
   if (!isThere) {

@@ -49,6 +49,16 @@ void handleStageKey(int key, const Snapshot& snapshot, ViewState& state) {
   }
 }
 
+/// The next one that the shown grid can have.
+void takeNextColoring(const Snapshot& snapshot, ViewState& state) {
+  const auto& shown = gridOf(stageOf(state, snapshot), snapshot);
+  auto next = static_cast<std::size_t>(state.coloring);
+  do {
+    next = (next + 1) % kColoringNames.size();
+  } while (shown && !canColor(static_cast<Coloring>(next), *shown, snapshot));
+  state.coloring = static_cast<Coloring>(next);
+}
+
 /// Automatic, then each style.
 void takeNextStrutStyle(ViewState& state) {
   const std::size_t next = state.strutStyle ? static_cast<std::size_t>(*state.strutStyle) + 1 : 0;
@@ -62,11 +72,8 @@ void handlePlainKey(int key, const Snapshot& snapshot, ViewState& state, Session
                     const WindowActions& actions) {
   handleStageKey(key, snapshot, state);
   switch (key) {
-    case GLFW_KEY_C: {
-      const auto next = static_cast<std::size_t>(state.coloring) + 1;
-      state.coloring = static_cast<Coloring>(next % kColoringNames.size());
-      break;
-    }
+    case GLFW_KEY_C:
+      return takeNextColoring(snapshot, state);
     case GLFW_KEY_S:
       return takeNextStrutStyle(state);
     case GLFW_KEY_SPACE:

@@ -5,11 +5,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
+
+#include "energy/bar_state.h"
+#include "grid/bar_section.h"
 
 namespace morphgrid {
 namespace {
 
 const ImVec4 kWarning{0.75F, 0.25F, 0.0F, 1};
+constexpr double kDegreesPerRadian = 180 / std::numbers::pi;
 constexpr float kPlotHeight = 46;  // Pixels.
 constexpr float kStrutStyleWidth = 120;
 constexpr const char* kAutomatic = "automatic";
@@ -146,19 +151,29 @@ void drawStrutStyleChoice(ViewState& state) {
   }
 }
 
-void drawLook(const Snapshot& snapshot, ViewState& state) {
-  drawStageChoice(snapshot, state);
-  ImGui::TextUnformatted("Colours:");
-  const auto& shown = snapshot.stages[static_cast<std::size_t>(stageOf(state, snapshot))];
+/// Those that cannot be had say why.
+void drawColoringChoice(const Snapshot& snapshot, ViewState& state) {
+  const auto& shown = gridOf(stageOf(state, snapshot), snapshot);
+  if (!ImGui::BeginCombo("colours", kColoringNames[static_cast<std::size_t>(state.coloring)],
+                         ImGuiComboFlags_HeightLargest)) {
+    return;
+  }
   for (std::size_t n = 0; n < kColoringNames.size(); ++n) {
     const auto coloring = static_cast<Coloring>(n);
-    ImGui::SameLine();
-    ImGui::BeginDisabled(shown && !canColor(coloring, *shown, snapshot));
-    if (ImGui::RadioButton(kColoringNames[n], state.coloring == coloring)) {
+    const std::string missing = shown ? whatIsMissing(coloring, *shown, snapshot) : "";
+    const std::string label =
+        missing.empty() ? kColoringNames[n] : fmt::format("{}: {}", kColoringNames[n], missing);
+    const auto flags = missing.empty() ? ImGuiSelectableFlags_None : ImGuiSelectableFlags_Disabled;
+    if (ImGui::Selectable(label.c_str(), state.coloring == coloring, flags)) {
       state.coloring = coloring;
     }
-    ImGui::EndDisabled();
   }
+  ImGui::EndCombo();
+}
+
+void drawLook(const Snapshot& snapshot, ViewState& state) {
+  drawStageChoice(snapshot, state);
+  drawColoringChoice(snapshot, state);
   ImGui::Checkbox("target over the result", &state.showsTarget);
   ImGui::SameLine();
   ImGui::SetNextItemWidth(kStrutStyleWidth);
@@ -211,6 +226,14 @@ void drawKnobs(const Snapshot& snapshot, Session& session) {
   ImGui::PopItemWidth();
 }
 
+void drawBarNumbers(const ShownGrid& shown, const Strut& strut) {
+  const BarState bar = barStateAt(*shown.grid, {*shown.positions, *shown.rotations}, strut);
+  const Eigen::Array2d size = rectangleOf(shown.grid->bars->section(strut));
+  ImGui::Text("width %.4g   height %.4g", size[0], size[1]);
+  ImGui::Text("bending strain %.2f %%   joint rotation %.2f\u00b0", 100 * bar.bendingStrain,
+              kDegreesPerRadian * bar.jointRotation);
+}
+
 void drawFigures(const Snapshot& snapshot) {
   ImGui::PushFont(ImGui::GetIO().Fonts->Fonts.back());
   ImGui::TextUnformatted(snapshot.figures.c_str());
@@ -246,7 +269,7 @@ void drawPanels(const Snapshot& snapshot, ViewState& state, Session& session,
   ImGui::End();
 }
 
-void drawStrutNumbers(const ShownGrid& shown, const Strut& strut) {
+void drawStrutNumbers(const Snapshot& snapshot, const ShownGrid& shown, const Strut& strut) {
   const GridShape& shape = shown.grid->shape;
   const double rest = valueAt(shown.grid->rest, strut);
   const double printed = lengthAt(shown.grid->positions, strut);
@@ -263,6 +286,16 @@ void drawStrutNumbers(const ShownGrid& shown, const Strut& strut) {
   ImGui::Text("rest %.6g   printed %.6g   now %.6g", rest, printed, present);
   ImGui::Text("strain %+.2f %%   shrink %.2f %%", 100 * (present - rest) / rest,
               100 * (1 - rest / printed));
+  if (canColor(Coloring::bendingStrain, shown, snapshot)) {
+    drawBarNumbers(shown, strut);
+  }
+  if (canColor(Coloring::angleError, shown, snapshot)) {
+    const auto errorAt = [&](int joint) {
+      return kDegreesPerRadian * (*snapshot.angleErrors)[shape.column(joint)];
+    };
+    ImGui::Text("printed angle error %.2f\u00b0 and %.2f\u00b0 at its joints", errorAt(strut.from),
+                errorAt(strut.to));
+  }
   for (const int end : {strut.from, strut.to}) {
     const Eigen::Vector3d at = shown.worldFromGrid * shown.positions->col(end);
     ImGui::Text("%s (%.5g, %.5g, %.5g)", end == strut.from ? "from" : "to  ", at.x(), at.y(),

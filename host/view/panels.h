@@ -19,7 +19,7 @@ void drawPanels(const Snapshot& snapshot, ViewState& state, Session& session,
                 const WindowActions& actions, int windowHeight);
 
 /// The numbers of a strut of a shown grid, which has a StrutGrid and positions.
-void drawStrutNumbers(const ShownGrid& shown, const Strut& strut);
+void drawStrutNumbers(const Snapshot& snapshot, const ShownGrid& shown, const Strut& strut);
 
 void drawHelp(bool& isOpen);
 

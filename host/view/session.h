@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "grid/joint_rotations.h"
 #include "grid/strut_grid.h"
 #include "render/camera.h"
 #include "solve/device_grid.h"
@@ -25,6 +26,7 @@ struct ShownGrid {
   Eigen::Isometry3d worldFromGrid = Eigen::Isometry3d::Identity();  ///< To where the target lies.
   std::shared_ptr<const StrutGrid> grid;              ///< Null for the solver's coarser grids.
   std::shared_ptr<const Eigen::Matrix3Xd> positions;  ///< 3 x vertexCount, of a while ago.
+  std::shared_ptr<const JointRotations> rotations;    ///< Of a frame's joints, of then; else null.
 };
 
 enum class Activity {
@@ -62,6 +64,9 @@ struct Snapshot {
   std::shared_ptr<const MeshSampling> sampling;     ///< None but for meshes.
   ShownStage newest = ShownStage::target;           ///< The stage that the run has reached.
   std::shared_ptr<const Eigen::Matrix3Xd> targets;  ///< 3 x layerVertexCount; null without target.
+  /// layerVertexCount, rad: at each joint the largest printed angle less what the target wants;
+  /// null without a conformal sheet.
+  std::shared_ptr<const Eigen::VectorXd> angleErrors;
   Eigen::AlignedBox3d extent;  ///< Bounding box of all that is shown; may be empty.
   View view = kPatchView;      ///< To begin with.
   double maxShrinkage = 1;

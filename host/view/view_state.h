@@ -37,13 +37,12 @@ inline bool looksLikeSurface(ShownStage stage) {
 }
 
 /// Whether what is shown is in colours that mean something: struts are, and the result's surface by
-/// its distance.
+/// what its columns have.
 inline bool isColored(const ViewState& state, const Snapshot& snapshot) {
   const ShownStage stage = stageOf(state, snapshot);
   const auto& shown = gridOf(stage, snapshot);
-  return !looksLikeSurface(stage) ||
-         (stage == ShownStage::surface && state.coloring == Coloring::distance && shown &&
-          canColor(Coloring::distance, *shown, snapshot));
+  return !looksLikeSurface(stage) || (stage == ShownStage::surface && isOfColumns(state.coloring) &&
+                                      shown && canColor(state.coloring, *shown, snapshot));
 }
 
 }  // namespace morphgrid

@@ -194,7 +194,7 @@ class Viewer {
     if (state_.picked && shown->grid && shown->positions &&
         std::max(state_.picked->from, state_.picked->to) < shown->positions->cols() &&
         state_.picked->layer < shown->grid->shape.layers) {
-      drawStrutNumbers(*shown, *state_.picked);
+      drawStrutNumbers(*snapshot_, *shown, *state_.picked);
       drawMark(cameraNow(), shown->worldFromGrid * shown->positions->col(state_.picked->from),
                shown->worldFromGrid * shown->positions->col(state_.picked->to), area());
     }

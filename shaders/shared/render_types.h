@@ -42,15 +42,20 @@ CONSTANT uint kTubeSides = 6u;
 CONSTANT uint kVerticesPerTubeSide = 12u;
 CONSTANT uint kVerticesPerTube = kTubeSides * kVerticesPerTubeSide;
 
-// Struts and surfaces: bindings kBindingPositions and kBindingRest of solver_types.h, and shares.
-// Local coordinates are spacings about the zero of the fixed-point positions.
-// Texels, a vec4 a vertex: of its struts to +u, +v, +w; in the bottom layer, of its column.
+// A bar of a frame: its sides in so many pieces along it, and its two ends.
+CONSTANT uint kBarPieces = 4u;
+CONSTANT uint kVerticesPerBar = kVerticesPerQuad * (4u * kBarPieces + 2u);
+
+// Struts and surfaces: bindings kBindingPositions and kBindingRest of solver_types.h, and shares;
+// bars: kBindingPrinted of frame_types.h, with rotations behind positions. Local coordinates are
+// spacings about the zero of the fixed-point positions. Texels, a vec4 a vertex: of its struts to
+// +u, +v, +w; in the bottom layer, of its column.
 CONSTANT uint kBindingShares = 4u;
 
 struct StrutPush {
   mat4 clipFromLocal;
   vec3 eye;              // local
-  float halfWidth;       // of a strut, in spacings
+  float halfWidth;       // of a strut, in spacings; of a bar, in the sheet as printed
   vec3 towardsLight;     // local, unit length
   float resolution;      // Spacings per step of the fixed-point positions.
   ivec3 size;            // Vertices of the grid, see topology.h.
@@ -58,6 +63,7 @@ struct StrutPush {
   float restResolution;  // Spacings per step of the fixed-point rest lengths.
   float pixelSize;       // What a pixel covers at a distance of 1.
   int stride;            // Lines join every n-th vertex along u and v, and the last one.
+  float halfHeight;      // of a bar, across the sheet
 };
 
 struct SurfacePush {
@@ -89,7 +95,7 @@ struct SamplingPush {
 };
 
 #ifdef __cplusplus
-static_assert(sizeof(StrutPush) == 124);
+static_assert(sizeof(StrutPush) == 128);
 static_assert(sizeof(SurfacePush) == 124);
 static_assert(sizeof(SamplingPush) == 124);
 }  // namespace morphgrid

@@ -56,6 +56,18 @@ TEST(SceneKnobs, OfBendAnglesDesignNothing) {
   EXPECT_THAT(knobs, Not(Contains(withKey("design.net"))));
 }
 
+TEST(SceneKnobs, OfBarsAreTheSizesThatTheSceneSays) {
+  const SceneFiles files(std::string(kBezierScene) +
+                         "[material]\nmodel = \"frame\"\nbar_width = 0.2\npost_width = 0.15\n");
+  const auto knobs = knobsOf(files.load());
+  const Knob width = knobOf(knobs, "material.bar_width");
+  EXPECT_EQ(width.value, 0.2);
+  EXPECT_NEAR(width.low, 0.04, 1e-12);
+  EXPECT_NEAR(width.high, 1, 1e-12);
+  EXPECT_EQ(knobOf(knobs, "material.post_width").value, 0.15);
+  EXPECT_THAT(knobs, Not(Contains(withKey("material.bar_height"))));
+}
+
 TEST(SceneKnobs, EveryChoiceIsAValueOfTheSceneFile) {
   const SceneFiles files(kBezierScene);
   for (const Knob& knob : knobsOf(files.load())) {

@@ -4,12 +4,15 @@
 #include <stdlib.h>
 #include <unistd.h>
 
+#include <Eigen/Geometry>
 #include <csignal>
 #include <cstdlib>
 #include <fstream>
 #include <iterator>
 #include <random>
 #include <stdexcept>
+
+#include "grid/bar_section.h"
 
 namespace morphgrid {
 
@@ -61,6 +64,28 @@ ExportSample exportSample(const GridShape& shape) {
     valueAt(sample.grid.rest, strut) = length * (1 + 1.5 * jitter(random));
   });
   sample.surface = tessellate(shape, middleLayer(shape, sample.positions), 2);
+  return sample;
+}
+
+FrameSample frameSample(const GridShape& shape) {
+  std::mt19937_64 random(11);
+  std::uniform_real_distribution<double> jitter(-0.2, 0.2);
+  const BarSection section = rectangularSection(
+      {.width = kBarWidth, .height = kBarHeight, .poisson = 0.3, .joint = 0.02}, 5);
+  FrameSample sample{exportSample(shape), JointRotations(4, shape.vertexCount())};
+  forEachVertex(shape, [&](const GridPlace& place) {
+    const int vertex = shape.index(place);
+    const Eigen::Vector3d printed(place.i, place.j, place.layer);
+    sample.grid.positions.col(vertex) = printed;
+    sample.positions.col(vertex) =
+        printed + Eigen::Vector3d(jitter(random), jitter(random), jitter(random));
+    sample.rotations.col(vertex) =
+        Eigen::Quaterniond(1, jitter(random), jitter(random), jitter(random)).normalized().coeffs();
+  });
+  forEachStrut(shape, [&](const Strut& strut) {
+    valueAt(sample.grid.rest, strut) = 0.9 + 0.3 * jitter(random);
+  });
+  sample.grid.bars = Bars{section, section, sample.grid.positions};
   return sample;
 }
 

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "core/read_file.h"
+#include "grid/joint_rotations.h"
 #include "grid/strut_grid.h"
 #include "grid/surface_mesh.h"
 #include "tests/support/temporary_folder.h"
@@ -47,6 +48,17 @@ struct ExportSample {
   SurfaceMesh surface;
 };
 ExportSample exportSample(const GridShape& shape);
+
+/// Width and height of the bars of a frameSample().
+inline constexpr double kBarWidth = 0.11;
+inline constexpr double kBarHeight = 0.07;
+
+/// The same of bars that are welded to joints, which have turned and moved; printed as square cells
+/// of side 1.
+struct FrameSample : ExportSample {
+  JointRotations rotations;
+};
+FrameSample frameSample(const GridShape& shape);
 
 /// The smallest grid, and others whose sides differ.
 inline const GridShape kSampleShapes[] = {{2, 2, 1}, {5, 3, 2}, {2, 7, 3}};

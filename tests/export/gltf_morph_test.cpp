@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "core/error.h"
+#include "export/bar_mesh.h"
 #include "tests/export/export_samples.h"
 #include "tests/export/gltf_files.h"
 #include "tests/support/strut_list.h"
@@ -94,6 +95,25 @@ TEST_F(GltfMorph, AnimationRunsThroughTheKeys) {
       EXPECT_EQ(weights.segment<3>(3 * n), keyWeights.tail<3>()) << "moment " << n;
     }
   }
+}
+
+TEST_F(GltfMorph, OfAFrameMovesItsBars) {
+  const FrameSample frame = frameSample(kShape);
+  const JointRotations unturned = unturnedJoints(kShape.vertexCount());
+  keys_ = {{frame.grid.positions, sample_.surface, unturned},
+           {frame.positions, sample_.surface, frame.rotations}};
+  timeline_ = {{0, 0}, {1, 1}};
+  sample_.grid = frame.grid;
+  const tinygltf::Model model = roundTrip();
+  const tinygltf::Primitive& bars = onlyPrimitive(model, "struts");
+  EXPECT_EQ(bars.mode, TINYGLTF_MODE_TRIANGLES);
+  ASSERT_EQ(bars.targets.size(), 1);
+  const Eigen::MatrixXf begin = values<float>(model, bars.attributes.at("POSITION"), 3);
+  const Eigen::MatrixXf end = begin + values<float>(model, bars.targets[0].at("POSITION"), 3);
+  EXPECT_EQ(begin, barVertices(frame.grid, frame.grid.positions, unturned).cast<float>());
+  const Eigen::MatrixXf wanted =
+      barVertices(frame.grid, frame.positions, frame.rotations).cast<float>();
+  EXPECT_LT((end - wanted).norm(), 1e-5 * wanted.norm());
 }
 
 TEST_F(GltfMorph, NumbersThatAreNoFloatsAreRefused) {

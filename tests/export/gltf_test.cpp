@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "core/error.h"
+#include "export/bar_mesh.h"
 #include "grid/strain.h"
 #include "shared/strain_color.h"
 #include "tests/export/export_samples.h"
@@ -74,6 +75,28 @@ TEST(GltfFile, SceneShowsBothNodesWithTheirZUp) {
     EXPECT_LT((turn * Eigen::Vector3d::UnitZ() - Eigen::Vector3d::UnitY()).norm(), 1e-15);
     EXPECT_LT((turn * Eigen::Vector3d::UnitX() - Eigen::Vector3d::UnitX()).norm(), 1e-15);
   }
+}
+
+TEST(FrameGltf, StrutsAreTheirBarsInTheColorOfTheirStrain) {
+  const TemporaryFolder folder;
+  const FrameSample sample = frameSample({3, 4, 2});
+  exportGltf(folder / "morph.glb", sample.grid, sample.positions, sample.surface, sample.rotations);
+  const tinygltf::Model model = loadGltf(folder / "morph.glb");
+  const tinygltf::Primitive& bars = onlyPrimitive(model, "struts");
+  EXPECT_EQ(bars.mode, TINYGLTF_MODE_TRIANGLES);
+  EXPECT_FALSE(model.materials.at(bars.material).extensions.contains("KHR_materials_unlit"));
+  const Eigen::MatrixXf vertices = values<float>(model, bars.attributes.at("POSITION"), 3);
+  EXPECT_EQ(vertices, barVertices(sample.grid, sample.positions, sample.rotations).cast<float>());
+  EXPECT_EQ(values<int>(model, bars.indices, 1),
+            barTriangles(sample.grid.shape).reshaped().transpose());
+  const Eigen::MatrixXf colors = values<float>(model, bars.attributes.at("COLOR_0"), 3);
+  ASSERT_EQ(colors.cols(), vertices.cols());
+  const std::vector<double> strutStrains = strains(sample.grid, sample.positions);
+  for (Eigen::Index n = 0; n < colors.cols(); ++n) {
+    const vec3 color = strainColor(static_cast<float>(strutStrains[n / kBarMeshVertices]));
+    ASSERT_EQ(colors.col(n), Eigen::Vector3f(color.r, color.g, color.b)) << n;
+  }
+  expectBounds(model, bars.attributes.at("POSITION"));
 }
 
 std::uint32_t wordAt(const std::string& bytes, std::size_t offset) {

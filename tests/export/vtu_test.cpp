@@ -10,6 +10,7 @@
 #include <vtkUnstructuredGrid.h>
 #include <vtkXMLUnstructuredGridReader.h>
 
+#include "energy/bar_state.h"
 #include "grid/shrink.h"
 #include "grid/strain.h"
 #include "tests/export/export_samples.h"
@@ -93,6 +94,46 @@ TEST_P(Vtu, DirectionsAreCodedAsPromised) {
   for (std::size_t i = 0; i < struts.size(); ++i) {
     EXPECT_EQ(direction.GetComponent(i, 0), codeOf(struts[i]));
   }
+}
+
+TEST(FrameVtu, BarsKeepTheirState) {
+  const TemporaryFolder folder;
+  const FrameSample sample = frameSample({5, 3, 2});
+  exportVtu(folder / "morph.vtu", sample.grid, sample.positions, sample.rotations);
+  vtkNew<vtkXMLUnstructuredGridReader> reader;
+  reader->SetFileName((folder / "morph.vtu").c_str());
+  reader->Update();
+  const auto valueOf = [&](const char* name, std::size_t n) {
+    vtkDataArray* array = reader->GetOutput()->GetCellData()->GetArray(name);
+    EXPECT_NE(array, nullptr) << name;
+    return array->GetComponent(static_cast<vtkIdType>(n), 0);
+  };
+  const std::vector<Strut> struts = listStruts(sample.grid.shape);
+  double energy = 0;
+  for (std::size_t n = 0; n < struts.size(); ++n) {
+    const BarState bar = barStateAt(sample.grid, {sample.positions, sample.rotations}, struts[n]);
+    EXPECT_EQ(valueOf("axial_energy", n), bar.axialEnergy);
+    EXPECT_EQ(valueOf("bending_energy", n), bar.bendingEnergy);
+    EXPECT_EQ(valueOf("shear_energy", n), bar.shearEnergy);
+    EXPECT_EQ(valueOf("twist_energy", n), bar.twistEnergy);
+    EXPECT_EQ(valueOf("bending_strain", n), bar.bendingStrain);
+    EXPECT_EQ(valueOf("joint_rotation", n), bar.jointRotation);
+    for (const char* part : {"axial_energy", "bending_energy", "shear_energy", "twist_energy"}) {
+      energy += valueOf(part, n);
+    }
+  }
+  const double whole = FrameEnergy(sample.grid).evaluate(sample.positions, sample.rotations).energy;
+  EXPECT_NEAR(energy, whole, 1e-12 * whole);
+}
+
+TEST(FrameVtu, SpringsHaveNoBars) {
+  const TemporaryFolder folder;
+  const ExportSample sample = exportSample({2, 2, 2});
+  exportVtu(folder / "morph.vtu", sample.grid, sample.positions);
+  vtkNew<vtkXMLUnstructuredGridReader> reader;
+  reader->SetFileName((folder / "morph.vtu").c_str());
+  reader->Update();
+  EXPECT_EQ(reader->GetOutput()->GetCellData()->GetNumberOfArrays(), 5);
 }
 
 }  // namespace

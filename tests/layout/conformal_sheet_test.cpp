@@ -56,6 +56,25 @@ TEST(ConformalSheet, BendsBarsAsLittleAsTheProjectionThatTheNetComesFrom) {
   EXPECT_LT(ofSheet, 1.02 * energy.evaluate(energy.unknownsAt(projected)));
 }
 
+TEST(ConformalSheet, TellsTheAngleErrorOfEachJoint) {
+  const SheetProblem problem = netOn(onSphere, 11, 9);
+  Sheet sheet = layConformally(problem);
+  const VectorXd errors = printedAngleErrors(problem, sheet);
+  const double largest = computeSheetFigures(problem, sheet, 0.1).largestAngle;
+  ASSERT_EQ(errors.size(), 11 * 9);
+  EXPECT_EQ(errors.maxCoeff(), largest);
+  EXPECT_LT(errors.minCoeff(), largest);
+  // A joint is moved: its own corners, and those of its neighbours at the bars to it, are off.
+  const int joint = problem.layer.index(5, 4, 0);
+  const double chord = (sheet.positions.col(joint + 1) - sheet.positions.col(joint)).norm();
+  sheet.positions.col(joint) += 0.2 * chord * Eigen::Vector2d(1, 1);
+  const VectorXd moved = printedAngleErrors(problem, sheet);
+  for (const int neighbour : {joint, joint + 1, joint - 1, joint + 11, joint - 11}) {
+    EXPECT_GT(moved[neighbour], 0.1);
+  }
+  EXPECT_EQ(moved[joint + 12], errors[joint + 12]);
+}
+
 TEST(ConformalSheet, StaysWithinTheRangeWhereItCan) {
   const SheetFigures sheet = layOut(netOn(onSphere, 15, 15, {0.1, 0.35}));
   EXPECT_EQ(sheet.strutsOutOfRange, 0);

@@ -80,6 +80,8 @@ class RunStateTest : public testing::Test {
     expectEqual(read.design, state.design);
     expectEqual(read.grid, state.grid);
     EXPECT_EQ(read.targets, state.targets);
+    EXPECT_EQ(read.equilibrium().rotations, state.equilibrium().rotations);
+    EXPECT_EQ(read.angleErrors, state.angleErrors);
     EXPECT_EQ(read.targetFromGrid.matrix(), state.targetFromGrid.matrix());
     EXPECT_EQ(toJson(read.record), toJson(state.record));
     expectEqual(*read.record.inPlane, *state.record.inPlane);

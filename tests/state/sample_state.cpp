@@ -84,6 +84,10 @@ RunState sampleState() {
   state.record.printScale = 1.125;
   state.record.inverse = InverseDesign{{}, {}, {{InverseStep::Kind::design}}, "all steps done", {}};
   state.targets = wave(state.record.inPlane->positions, 0.2);
+  JointRotations& rotations = state.record.full->rotations;
+  rotations = JointRotations::Random(4, state.grid.shape.vertexCount());
+  rotations.colwise().normalize();
+  state.angleErrors = Eigen::VectorXd::Random(state.grid.shape.layerVertexCount());
   MeshSampling& sampling = state.sampling.emplace();
   sampling.mesh.vertices = Eigen::Matrix3Xd::Random(3, 4);
   sampling.mesh.triangles.resize(3, 2);

@@ -2,6 +2,10 @@
 
 #include <gmock/gmock.h>
 
+#include <Eigen/Geometry>
+#include <numbers>
+
+#include "grid/bar_section.h"
 #include "view/view_state.h"
 
 namespace morphgrid {
@@ -86,6 +90,74 @@ TEST(DistanceColors, OfAPerfectResultAreThoseOfNoDistance) {
   const ColorShares colors = computeColors(Coloring::distance, result.shown, result.snapshot);
   EXPECT_EQ(colors.columns, Eigen::VectorXd::Zero(6));
   EXPECT_THAT(colors.shares.u, Each(DoubleEq(0)));
+}
+
+/// The same grid as bars, one of which is bent by `angle` at its end.
+struct FrameResult : Result {
+  explicit FrameResult(double angle = 0.1) {
+    StrutGrid grid = *shown.grid;
+    grid.rest = StrutValues(grid.shape);
+    forEachStrut(grid.shape, [&](const Strut& strut) { valueAt(grid.rest, strut) = 1; });
+    const BarSection section = rectangularSection({.width = 0.2, .height = 0.1}, 1);
+    grid.bars = Bars{section, section, grid.positions};
+    JointRotations rotations = unturnedJoints(grid.shape.vertexCount());
+    rotations.col(0) =
+        Eigen::Quaterniond(Eigen::AngleAxisd(angle, Eigen::Vector3d::UnitZ())).coeffs();
+    shown.grid = std::make_shared<StrutGrid>(grid);
+    shown.rotations = std::make_shared<JointRotations>(rotations);
+  }
+};
+
+TEST(BarColors, AreSharesOfTheLargest) {
+  const FrameResult result;
+  const ColorShares rotation =
+      computeColors(Coloring::jointRotation, result.shown, result.snapshot);
+  EXPECT_DOUBLE_EQ(rotation.shares.u[0], 1);
+  EXPECT_DOUBLE_EQ(rotation.shares.v[0], 1);
+  EXPECT_DOUBLE_EQ(rotation.shares.w[0], 0);
+  EXPECT_DOUBLE_EQ(rotation.shares.u[1], 0);
+  EXPECT_EQ(rotation.legend.marks.back().text, "5.7\u00b0");
+  const ColorShares strain = computeColors(Coloring::bendingStrain, result.shown, result.snapshot);
+  EXPECT_DOUBLE_EQ(strain.shares.u[0], 1);
+  EXPECT_DOUBLE_EQ(strain.shares.w[0], 0);
+  // Bars that do not turn at their other end: 4 EI / L at this one, but for what they shear.
+  EXPECT_LT(std::stod(strain.legend.marks.back().text), 100 * 0.1 * 4 * 0.1);
+  EXPECT_GT(std::stod(strain.legend.marks.back().text), 100 * 0.1 * 3 * 0.1);
+}
+
+TEST(BarColors, OfAStraightFrameAreThoseOfNone) {
+  const FrameResult result(0);
+  const ColorShares colors = computeColors(Coloring::bendingStrain, result.shown, result.snapshot);
+  EXPECT_THAT(colors.shares.u, Each(DoubleEq(0)));
+}
+
+TEST(BarColors, AreOfBarsAlone) {
+  Result springs;
+  FrameResult frame;
+  for (const Coloring coloring : {Coloring::bendingStrain, Coloring::jointRotation}) {
+    EXPECT_FALSE(canColor(coloring, springs.shown, springs.snapshot));
+    EXPECT_TRUE(canColor(coloring, frame.shown, frame.snapshot));
+  }
+  frame.shown.rotations.reset();
+  EXPECT_FALSE(canColor(Coloring::bendingStrain, frame.shown, frame.snapshot));
+}
+
+TEST(AngleErrorColors, AreThoseOfTheSheetsJoints) {
+  Result result;
+  result.snapshot.angleErrors =
+      std::make_shared<Eigen::VectorXd>(Eigen::VectorXd::LinSpaced(6, 0, std::numbers::pi / 36));
+  const ColorShares colors = computeColors(Coloring::angleError, result.shown, result.snapshot);
+  for (int n = 0; n < 6; ++n) {
+    EXPECT_DOUBLE_EQ(colors.columns[n], n / 5.0) << n;
+  }
+  EXPECT_DOUBLE_EQ(colors.shares.u[0], 0.1);
+  EXPECT_EQ(colors.legend.marks.back().text, "5\u00b0");
+}
+
+TEST(AngleErrorColors, WithoutAConformalSheetSayWhyThereAreNone) {
+  const Result result;
+  EXPECT_THAT(whatIsMissing(Coloring::angleError, result.shown, result.snapshot),
+              testing::HasSubstr("design.layout"));
 }
 
 TEST(Colors, BySomethingElseThanDistanceHaveNoneForSurfaces) {
