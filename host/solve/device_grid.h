@@ -22,6 +22,8 @@ struct DeviceFrame {
   DeviceBarSection upright;
   float lateralJoint;
   float uprightJoint;
+  float holding;  ///< Of joints that are held.
+  float turning;
 };
 
 /// A strut grid in the device's memory: what the kernels of shaders/solve and shaders/render read.
@@ -56,6 +58,8 @@ class DeviceGrid {
   /// Whether its struts are welded bars, so that vertices turn too.
   bool isFrame() const { return frame_.has_value(); }
   const DeviceFrame& frame() const { return *frame_; }
+  /// Whether something acts on a frame's joints from outside, see JointLoads.
+  bool isLoaded() const { return isLoaded_; }
   /// Texels of a vector of the solver: one a vertex, and in frames another for its turn.
   int vectorLength() const { return (isFrame() ? 2 : 1) * shape_.vertexCount(); }
 
@@ -73,6 +77,10 @@ class DeviceGrid {
   const Buffer& stiffness() const { return storage_->stiffness; }
   /// vec4 a vertex of a frame: how its bars to +u and +v were printed, see FramePush.
   const Buffer& printed() const { return *storage_->printed; }
+  /// vec4 a vertex of a frame that is loaded: the force on it; 1 where it is held.
+  const Buffer& loads() const { return *storage_->loads; }
+  /// ivec4 a vertex of a frame that is loaded: where it was printed, as positions().
+  const Buffer& printedPositions() const { return *storage_->printedPositions; }
   /// Empty when stiffnesses differ.
   const std::optional<UniformStiffness>& uniformStiffness() const { return uniformStiffness_; }
 
@@ -94,6 +102,8 @@ class DeviceGrid {
     Buffer rest;
     Buffer stiffness;
     std::optional<Buffer> printed;
+    std::optional<Buffer> loads;  ///< These two from the first grid on that is loaded.
+    std::optional<Buffer> printedPositions;
     Eigen::VectorXd stepsPerForce;
     std::atomic<bool> newestIsFirst = true;
 
@@ -102,12 +112,16 @@ class DeviceGrid {
 
   DeviceGrid(const DeviceGrid&) = default;  // For onlooker().
   void take(const StrutGrid& grid);
+  void takeBars(const StrutGrid& grid);
+  /// positions: 3 x vertexCount. Throws InputError where one is out of reach.
+  std::vector<ivec4> packed(const Eigen::Matrix3Xd& positions) const;
 
   const Device& device_;
   GridShape shape_;
   double resolution_;
   double spacing_ = 1;
   std::optional<DeviceFrame> frame_;
+  bool isLoaded_ = false;
   TermWeights weights_;
   int mostVertices_ = 0;
   double restResolution_ = 1;

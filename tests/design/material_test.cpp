@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "core/error.h"
+#include "tests/design/stacked_grid.h"
 
 namespace morphgrid {
 namespace {
@@ -12,30 +13,14 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-/// Cells of 2 x 2 in two layers that are 1 apart, stiffness 3.
-StrutGrid stacked() {
-  const GridShape shape{4, 3, 2};
-  StrutGrid grid{
-      shape, 2, Eigen::Matrix3Xd(3, shape.vertexCount()), StrutValues(shape), StrutValues(shape),
-      {}};
-  forEachVertex(shape, [&](const GridPlace& place) {
-    grid.positions.col(shape.index(place)) << 2 * place.i, 2 * place.j, place.layer;
-  });
-  forEachStrut(shape, [&](const Strut& strut) {
-    valueAt(grid.rest, strut) = lengthAt(grid.positions, strut);
-    valueAt(grid.stiffness, strut) = 3;
-  });
-  return grid;
-}
-
 TEST(Weld, LeavesThePapersGridAlone) {
-  StrutGrid grid = stacked();
+  StrutGrid grid = stackedGridOfTwoLayers();
   weld(grid, {});
   EXPECT_FALSE(grid.bars.has_value());
 }
 
 TEST(Weld, TakesBarsAFifthAsWideAsLong) {
-  StrutGrid grid = stacked();
+  StrutGrid grid = stackedGridOfTwoLayers();
   weld(grid, {.model = Model::frame});
   const BarSection& bar = grid.bars->lateral;
   EXPECT_NEAR(bar.stretching, 2 * 3 * 2, 1e-12);
@@ -49,13 +34,14 @@ TEST(Weld, TakesBarsAFifthAsWideAsLong) {
 }
 
 TEST(Weld, TakesEachSizeAsAsked) {
-  StrutGrid grid = stacked();
+  StrutGrid grid = stackedGridOfTwoLayers();
   weld(grid, {.model = Model::frame,
               .barWidth = 0.2,
               .barHeight = 0.4,
               .postWidth = 0.1,
               .jointRadius = 0.05});
-  const auto& [lateral, upright, printed] = *grid.bars;
+  const BarSection& lateral = grid.bars->lateral;
+  const BarSection& upright = grid.bars->upright;
   EXPECT_NEAR(lateral.bendingN / lateral.stretching, 0.2 * 0.2 / 12, 1e-12);
   EXPECT_NEAR(lateral.bendingB / lateral.stretching, 0.4 * 0.4 / 12, 1e-12);
   EXPECT_NEAR(upright.stretching / lateral.stretching, 0.1 * 0.1 / (0.2 * 0.4), 1e-12);
@@ -63,7 +49,7 @@ TEST(Weld, TakesEachSizeAsAsked) {
 }
 
 TEST(Weld, RefusesJointsThatLeaveNothingOfAStrut) {
-  StrutGrid grid = stacked();
+  StrutGrid grid = stackedGridOfTwoLayers();
   EXPECT_THAT(
       [&] { weld(grid, {.model = Model::frame, .jointRadius = 0.5}); },
       testing::ThrowsMessage<InputError>(HasSubstr(
@@ -71,7 +57,7 @@ TEST(Weld, RefusesJointsThatLeaveNothingOfAStrut) {
 }
 
 TEST(AdviseOnBars, TellsOfBarsThatOverlapAndOfStockyOnes) {
-  StrutGrid grid = stacked();
+  StrutGrid grid = stackedGridOfTwoLayers();
   EXPECT_THAT(adviseOnBars(grid, {.model = Model::frame}), IsEmpty());
   EXPECT_THAT(adviseOnBars(grid, {.model = Model::frame, .barWidth = 0.8, .barHeight = 1.1}),
               ElementsAre(HasSubstr("lower material.bar_height or raise grid.layer_spacing"),
