@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "core/error.h"
+#include "design/joint_loads.h"
 #include "grid/bar_section.h"
 
 namespace morphgrid {
@@ -62,6 +63,7 @@ void weld(StrutGrid& grid, const MaterialRequest& material) {
   };
   grid.bars =
       Bars{section(sizes.width, sizes.height), section(sizes.post, sizes.post), grid.positions};
+  grid.bars->loads = jointLoads(grid, material);
 }
 
 std::vector<std::string> adviseOnBars(const StrutGrid& grid, const MaterialRequest& material) {

@@ -32,6 +32,7 @@ RunRecord sampleRecord() {
   record.distance = {4, 5, 6, 7};
   record.distance->spread = {3.5, 4.5, 4.75, 0.5, {2, 1, 0, 0, 0, 0, 0, 0, 0, 1}};
   record.shrink = ShrinkFigures{{31, 0, 2, 0, 0}, {{31, 0, 2, 0, 0}, {}}};
+  record.weight = {.newtons = 0.25, .sag = 1.75};
   record.feasibility = Feasibility{};
   return record;
 }
