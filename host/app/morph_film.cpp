@@ -70,12 +70,16 @@ Morph follow(const Scene& scene, const Device& device, const StrutGrid& grid, in
 }
 
 /// Motions that bring the last shape to `end`, and each other one to the one after it: nothing but
-/// the morph is left to see.
-Placements placeShapes(const Shapes& shapes, const Eigen::Matrix3Xd& end) {
+/// the morph is left to see. Shapes of a grid that is held lie where they should to each other.
+Placements placeShapes(const Shapes& shapes, const Eigen::Matrix3Xd& end, bool isHeld) {
   Placements placements(shapes.size());
   Eigen::Matrix3Xd next = end;
   for (std::size_t n = shapes.size(); n-- > 0;) {
     placements[n] = alignRigidly(shapes[n], next);
+    if (isHeld) {
+      placements.assign(shapes.size(), placements[n]);
+      break;
+    }
     next = placements[n] * shapes[n];
   }
   return placements;
@@ -173,7 +177,7 @@ FilmRecord recordOf(const MorphCourse& course, const Equilibrium& simulation) {
     record.notices.push_back(fmt::format("{} of the morph's {} steps did not converge",
                                          course.unconverged, course.positions.size() - 1));
   }
-  if (std::abs(course.end.energy - simulation.energy) > kSameEnergy * simulation.energy) {
+  if (std::abs(course.end.energy - simulation.energy) > kSameEnergy * std::abs(simulation.energy)) {
     record.notices.push_back(fmt::format(
         "the slow morph ends in another equilibrium than the simulation: its energy is {:.6g}, not "
         "{:.6g}",
@@ -192,7 +196,8 @@ FilmRecord filmMorph(const Scene& scene, const SceneDesign& designed, const Devi
     return {};
   }
   const Placements placements =
-      placeShapes(course.positions, simulation.targetFromGrid * stage.equilibrium.positions);
+      placeShapes(course.positions, simulation.targetFromGrid * stage.equilibrium.positions,
+                  stage.grid.bars && stage.grid.bars->loads);
   if (!options.framesFolder.empty() || !options.animation.empty()) {
     drawFrames(scene, designed.view(), device, *stage.onDevice, course.positions, turns, placements,
                options, quiet);

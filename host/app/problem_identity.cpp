@@ -1,6 +1,7 @@
 #include "app/problem_identity.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "core/digest.h"
 #include "design/build_grids.h"
@@ -32,8 +33,31 @@ void addGrid(Digest& digest, const StrutGrid& grid) {
         digest.add(value);
       }
     }
+    if (const auto& loads = grid.bars->loads) {
+      digest.addList(allOf(loads->forces));
+      for (const int joint : loads->held) digest.add(std::int64_t{joint});
+    }
   }
   if (grid.printedCorners) digest.addList(allOf(*grid.printedCorners));
+}
+
+std::string describeWeight(const MaterialRequest& material) {
+  if (!material.gravity) {
+    return "none";
+  }
+  return fmt::format("gravity [{}], density {} in {}, modulus {}, unit {} m",
+                     fmt::join(*material.gravity, ", "), *material.density, material.fluidDensity,
+                     *material.modulus, material.unit);
+}
+
+std::string describeSupports(const std::vector<Support>& supports) {
+  std::vector<std::string> texts;
+  for (const Support& support : supports) {
+    const auto* place = std::get_if<SupportPlace>(&support);
+    texts.push_back(place ? kSupportWords[static_cast<std::size_t>(*place)]
+                          : fmt::format("[{}]", fmt::join(std::get<1>(support), ", ")));
+  }
+  return texts.empty() ? "none" : fmt::format("{}", fmt::join(texts, ", "));
 }
 
 std::string describe(const Weights& weights) {
@@ -78,6 +102,8 @@ ProblemIdentity identifyProblem(const Scene& scene, const SceneDesign& designed)
           {"weights", describe(scene.weights)},
           {"scaling", nameOf(scene.scaling)},
           {"model", nameOf(scene.material.model)},
+          {"weight", describeWeight(scene.material)},
+          {"supports", describeSupports(scene.material.supports)},
           {"method", nameOf(scene.method)},
           {"curvature cutoff", fmt::format("{}", request.curvatureCutoff)},
           {"net", nameOf(request.net)},

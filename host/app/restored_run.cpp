@@ -66,14 +66,11 @@ RestoredRun restoreRun(const std::filesystem::path& file) {
   }
   Stage stage = lastStage(state);
   stage.grid.bars = run.stacked.bars;
-<<<<<<< HEAD
   stage.grid.printedCorners = run.stacked.printedCorners;
-=======
   Equilibrium& last = stage.equilibrium;
   if (last.rotations.cols() == 0) {
     last.rotations = turnWithBars(stage.grid, last.positions);
   }
->>>>>>> bars3d
   run.simulation = {std::move(state.record), std::move(stage), state.targetFromGrid};
   return run;
 }

@@ -32,6 +32,7 @@ class SceneReader {
       std::visit([&](auto& request) { complete(surface, request); }, scene_.surface);
       checkSize();
     }
+    checkWeight();
     reader_.reportUnknownKeys();
     reader_.problems.throwIfAny();
     scene_.text = sceneText(reader_);
@@ -115,6 +116,31 @@ class SceneReader {
         grid.place(key),
         fmt::format("{} asks for too large a grid: at most {} vertices are possible, got {:.4g}",
                     grid.fullName(key), kLimit, count));
+  }
+
+  void checkWeight() {
+    TomlSection section = reader_.section("material");
+    const MaterialRequest& material = scene_.material;
+    const auto report = [&](const char* key, const char* what) {
+      reader_.problems.add(section.place(key),
+                           fmt::format("{} needs {}", section.fullName(key), what));
+    };
+    if (material.model != Model::frame) {
+      constexpr const char* kNeedsFrame =
+          "material.model = \"frame\": springs neither weigh nor are they held; set it or leave "
+          "the key out";
+      if (material.gravity) report("gravity", kNeedsFrame);
+      if (!material.supports.empty()) report("supports", kNeedsFrame);
+    } else if (material.gravity) {
+      if (!material.density) report("gravity", "material.density, in kg/m^3");
+      if (!material.modulus) report("gravity", "material.modulus, in Pa");
+      if (material.supports.empty()) {
+        report(
+            "gravity",
+            "material.supports: a grid that nothing holds falls freely, and weight does not bend "
+            "it");
+      }
+    }
   }
 
   TomlReader reader_;

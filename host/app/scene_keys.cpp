@@ -30,52 +30,6 @@ SceneKeySection topKeys() {
           }};
 }
 
-SceneKey sizeKey(const char* name, std::optional<double> MaterialRequest::*size,
-                 const NumberRange& range, const char* defaultInWords, const char* meaning,
-                 std::optional<KnobOffer> knob = std::nullopt) {
-  return {.name = name,
-          .value = numberKey(at(&Scene::material, size), range),
-          .unit = "length",
-          .defaultInWords = defaultInWords,
-          .knob = std::move(knob),
-          .meaning = meaning};
-}
-
-SceneKeySection materialKeys() {
-  using Material = MaterialRequest;
-  return {"material",
-          {
-              {.name = "model",
-               .value = wordKey(at(&Scene::material, &Material::model), kModelWords),
-               .knob = KnobOffer{"model"},
-               .meaning =
-                   "`\"paper\"`: struts are springs, whose corners weigh what `weights` says. "
-                   "`\"frame\"`: they are bars welded to joints at the angles at which they were "
-                   "printed, as a printed grid is; needs two layers, and "
-                   "`solver.method = \"multigrid\"` or `\"reference\"`. `\"bars\"`: springs that "
-                   "stand for such bars, weighed by their size, whose corners rest as printed: a "
-                   "preview of the frame for any method."},
-              sizeKey("bar_width", &Material::barWidth, above(0), "a fifth of the mean rest length",
-                      "Width of lateral bars, in the sheet's plane.", aroundItsValue("bar width")),
-              sizeKey("bar_height", &Material::barHeight, above(0), "`bar_width`",
-                      "Height of lateral bars, across the sheet.", aroundItsValue("bar height")),
-              sizeKey("post_width", &Material::postWidth, above(0), "`bar_width`",
-                      "Width of the square posts between layers.", aroundItsValue("post width")),
-              sizeKey("joint_radius", &Material::jointRadius, atLeast(0),
-                      "a quarter of `bar_width`", "How much of a bar is rigid at either end."),
-              {.name = "poisson",
-               .value = numberKey(at(&Scene::material, &Material::poisson),
-                                  NumberRange{.low = 0, .high = 0.5, .lowIncluded = true}),
-               .meaning = "Poisson's ratio; it matters for twist alone."},
-              {.name = "least_shrinkage",
-               .value = numberKey(at(&Scene::material, &Material::leastShrinkage),
-                                  NumberRange{.low = -1, .high = 1}),
-               .unit = "share",
-               .meaning = "Share of its printed length that a strut loses at the least; below 0 "
-                          "struts may grow. Less than `grid.max_shrinkage`."},
-          }};
-}
-
 SceneKeySection weightKeys() {
   return {"weights",
           {

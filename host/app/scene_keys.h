@@ -43,5 +43,6 @@ void forEachFileKey(Visit visit) {
 SceneKeySection surfaceKeys();
 SceneKeySection gridKeys();
 SceneKeySection designKeys();
+SceneKeySection materialKeys();
 
 }  // namespace morphgrid

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "core/bounding_diagonal.h"
 #include "core/rigid_alignment.h"
 
 namespace morphgrid {
@@ -61,11 +62,15 @@ void noteAsymmetry(RunRecord& record) {
   }
 }
 
-/// Brings the result to where the target lies; without a target, to where it was printed.
+/// Brings the result to where the target lies; without a target, to where it was printed, unless
+/// something holds it.
 Eigen::Isometry3d alignResult(const Stage& stage, const std::optional<Eigen::Matrix3Xd>& targets) {
   const Eigen::Matrix3Xd& positions = stage.equilibrium.positions;
-  return targets ? alignRigidly(middleLayer(stage.grid.shape, positions), *targets)
-                 : alignRigidly(positions, stage.grid.positions);
+  if (targets) {
+    return alignRigidly(middleLayer(stage.grid.shape, positions), *targets);
+  }
+  const bool isHeld = stage.grid.bars && stage.grid.bars->loads;
+  return isHeld ? Eigen::Isometry3d::Identity() : alignRigidly(positions, stage.grid.positions);
 }
 
 /// What of the design and of its result cannot be printed, or cannot be.
@@ -113,6 +118,13 @@ Simulation simulateScene(const Scene& scene, const SceneDesign& designed, RunCon
       record.inverse = stages.improve(stage, designed);
       noteOtherWay(record);
       noteSoftness(record);
+    }
+    record.weight = stages.assessWeight(stage);
+    if (record.weight) {
+      for (const std::string& notice :
+           adviseOn(*record.weight, boundingDiagonal(stage.grid.positions))) {
+        record.notices.push_back(notice);
+      }
     }
     stage.solver.reset();  // Its memory is for pictures now.
     for (const std::string& notice : adviseOnBars(stage.grid, scene.material)) {

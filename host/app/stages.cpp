@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "app/progress_line.h"
+#include "design/joint_loads.h"
 #include "energy/grid_energy.h"
 #include "inverse/print_scale.h"
 #include "solve/frame_solver.h"
@@ -188,6 +189,24 @@ std::optional<InverseDesign> Stages::improve(Stage& stage, const SceneDesign& de
     stage.equilibrium = result->equilibrium;
   }
   return result;
+}
+
+std::optional<WeightFigures> Stages::assessWeight(const Stage& stage) {
+  if (!scene_.material.gravity) {
+    return std::nullopt;
+  }
+  WeightFigures figures{.newtons = weightInNewtons(stage.grid, scene_.material), .sag = {}};
+  if (stage.solver && !scene_.solve.stopRequested()) {
+    context_.attempt([&] {
+      stage.solver->moveTo(stage.equilibrium.positions, stage.equilibrium.rotations);
+      const Adjoint answer = stage.solver->solveAdjoint(stage.grid.bars->loads->forces);
+      if (answer.converged) {
+        const auto displacements = answer.lambda.leftCols(stage.grid.shape.vertexCount());
+        figures.sag = displacements.colwise().norm().maxCoeff();
+      }
+    });
+  }
+  return figures;
 }
 
 void Stages::reachPrintedLayer(Stage& stage, const Sheet* sheet) {

@@ -33,6 +33,8 @@ class Stages {
   /// as the scene asks for; nothing when it does not or the device fails before the first. Then the
   /// stage stays.
   std::optional<InverseDesign> improve(Stage& stage, const SceneDesign& designed);
+  /// What weight does to a stage at its equilibrium; nothing without gravity.
+  std::optional<WeightFigures> assessWeight(const Stage& stage);
 
  private:
   Stage prepare(StrutGrid grid);

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "core/error.h"
+#include "design/joint_loads.h"
 #include "grid/bar_section.h"
 
 namespace morphgrid {
@@ -102,6 +103,7 @@ void applyMaterial(StrutGrid& grid, const MaterialRequest& material) {
         shortestRest(grid) / 2, sizes.joint));
   }
   grid.bars = bars;
+  grid.bars->loads = jointLoads(grid, material);
 }
 
 std::vector<std::string> adviseOnBars(const StrutGrid& grid, const MaterialRequest& material) {

@@ -2,6 +2,7 @@
 #include <array>
 #include <optional>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "grid/strut_grid.h"
@@ -22,6 +23,12 @@ constexpr Mechanics mechanicsOf(Model model) {
   return kMechanics[static_cast<std::size_t>(model)];
 }
 
+/// Joints of the bottom layer.
+enum class SupportPlace { middle, corners, rim };
+inline constexpr std::array kSupportWords = {"middle", "corners", "rim"};
+/// Where a grid is held: there, or at the joint [i, j, k] along u, v and up.
+using Support = std::variant<SupportPlace, std::array<int, 3>>;
+
 /// What the struts are made of. Lengths in the scene's unit, > 0.
 struct MaterialRequest {
   Model model = Model::paper;
@@ -32,6 +39,12 @@ struct MaterialRequest {
   double poisson = 0.3;               ///< >= 0 and < 0.5
   /// Share of its printed length that every strut loses at the least; below 0 it may grow.
   double leastShrinkage = 0;
+  std::optional<std::array<double, 3>> gravity;  ///< m/s^2; z is up.
+  std::optional<double> density;                 ///< Of bars, kg/m^3, > 0
+  double fluidDensity = 0;                       ///< Of what is around them, >= 0
+  std::optional<double> modulus;                 ///< Young's, of bars that morph; Pa, > 0
+  double unit = 1e-3;                            ///< The scene's unit of length, m, > 0
+  std::vector<Support> supports;
 
   bool operator==(const MaterialRequest&) const = default;
 };
@@ -48,7 +61,9 @@ MaterialRequest withSizes(MaterialRequest material, double meanLength);
 /// says. The modulus makes EA of lateral bars twice the mean stiffness of springs times the mean
 /// rest length, so that energies of all models are of one size. Bars do not shear: with rigid
 /// joints of a quarter of their width that comes closest to solids (docs/method.md, A frame of
-/// welded bars; Springs for bars). Throws InputError when joints leave nothing of a strut.
+/// welded bars; Springs for bars). Supports hold the joints of bars, which weigh on them (see
+/// joint_loads.h). Throws InputError when joints leave nothing of a strut, or a support is no joint
+/// of the grid.
 void applyMaterial(StrutGrid& grid, const MaterialRequest& material);
 
 /// What cannot be printed of a welded grid, with the way out, for the user.

@@ -38,9 +38,8 @@ Eigen::Matrix<double, 9, 12> nineOfTwelve() {
 }  // namespace
 
 BeamTerm::Ends<double> FramePlacement::endsOf(const BeamTerm& term, const Edge& edge) const {
-  return term.endsAt(positions.col(edge.to) - positions.col(edge.from),
-                     Eigen::Quaterniond(rotations.col(edge.from)),
-                     Eigen::Quaterniond(rotations.col(edge.to)));
+  return term.endsAt(positions.col(edge.to) - positions.col(edge.from), rotationOf(edge.from),
+                     rotationOf(edge.to));
 }
 
 BeamTerm::Vector9<double> changeOfEnds(const Edge& edge, const Matrix3Xd& unknowns) {
@@ -59,6 +58,12 @@ FrameEnergy::Value FrameEnergy::evaluate(const Matrix3Xd& positions,
     const BeamTerm::Value at = term.evaluate(place.endsOf(term, edge));
     value.energy += at.energy;
     addToEnds(edge, at.gradient, value.gradient);
+  });
+  JointTerm::forEach(grid_, [&](const JointTerm& term, int joint) {
+    const JointTerm::Value at = term.evaluate(positions.col(joint), place.rotationOf(joint));
+    value.energy += at.energy;
+    value.gradient.col(joint) += at.force;
+    value.gradient.col(positions.cols() + joint) += at.moment;
   });
   return value;
 }
@@ -86,6 +91,16 @@ Eigen::SparseMatrix<double> FrameEnergy::hessian(const Matrix3Xd& positions,
       }
     }
   });
+  JointTerm::forEach(grid_, [&](const JointTerm& term, int joint) {
+    const Eigen::Matrix3d exact = term.momentByTurn(place.rotationOf(joint));
+    for (int column = 0; column < 3; ++column) {
+      entries.emplace_back(6 * joint + column, 6 * joint + column, term.holding);
+      for (int row = column; row < 3; ++row) {
+        entries.emplace_back(6 * joint + 3 + row, 6 * joint + 3 + column,
+                             (exact(row, column) + exact(column, row)) / 2);
+      }
+    }
+  });
   const int size = 6 * grid_.shape.vertexCount();
   Eigen::SparseMatrix<double> hessian(size, size);
   hessian.setFromTriplets(entries.begin(), entries.end());
@@ -98,6 +113,11 @@ Matrix3Xd FrameEnergy::hessianProduct(const Matrix3Xd& positions, const JointRot
   Matrix3Xd result = Matrix3Xd::Zero(3, motion.cols());
   BeamTerm::forEach(grid_, [&](const BeamTerm& term, const Edge& edge) {
     addToEnds(edge, term.hessian(place.endsOf(term, edge)) * changeOfEnds(edge, motion), result);
+  });
+  JointTerm::forEach(grid_, [&](const JointTerm& term, int joint) {
+    const Eigen::Index turn = positions.cols() + joint;
+    result.col(joint) += term.holding * motion.col(joint);
+    result.col(turn) += term.momentByTurn(place.rotationOf(joint)) * motion.col(turn);
   });
   return result;
 }

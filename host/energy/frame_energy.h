@@ -3,6 +3,7 @@
 #include <Eigen/SparseCore>
 
 #include "energy/beam_term.h"
+#include "energy/joint_term.h"
 #include "grid/joint_rotations.h"
 #include "grid/strut_grid.h"
 
@@ -14,18 +15,22 @@ struct FramePlacement {
   const JointRotations& rotations;
 
   BeamTerm::Ends<double> endsOf(const BeamTerm& term, const Edge& edge) const;
+  Eigen::Quaterniond rotationOf(int joint) const {
+    return Eigen::Quaterniond(rotations.col(joint));
+  }
 };
 
 /// Of a vector of a frame's unknowns, 3 x 2 vertexCount: how a bar's ends move.
 BeamTerm::Vector9<double> changeOfEnds(const Edge& edge, const Eigen::Matrix3Xd& unknowns);
 
-/// The energy of a grid of welded bars (StrutGrid::bars), the sum of its beam terms, in double
-/// precision: the oracle for the device. Vectors of
+/// The energy of a grid of welded bars (StrutGrid::bars), the sum of its beam and joint terms, in
+/// double precision: the oracle for the device. Vectors of
 /// unknowns are 3 x 2 vertexCount: a displacement of every joint, then a turn of every joint.
 class FrameEnergy {
  public:
   struct Value {
-    double energy;              ///< In stiffness x the square of the scene's unit of length.
+    double energy;              ///< In stiffness x the square of the scene's unit of length; below
+                                ///< 0 where weights have done more work than bars have taken up.
     Eigen::Matrix3Xd gradient;  ///< 3 x 2 vertexCount: forces, then moments.
   };
 

@@ -1,5 +1,7 @@
 #pragma once
 #include <Eigen/Core>
+#include <optional>
+#include <vector>
 
 #include "grid/grid_topology.h"
 
@@ -16,6 +18,12 @@ struct BarSection {
   double joint = 0;       ///< Rigid part at either end, >= 0 and less than half the rest length.
 };
 
+/// What acts on joints from outside.
+struct JointLoads {
+  Eigen::Matrix3Xd forces;  ///< 3 x vertexCount, stiffness x length; they keep their direction.
+  std::vector<int> held;    ///< Joints that stay where and as they were printed, at least one.
+};
+
 /// The struts of a grid as bars that are welded to their joints, at the angles at which they were
 /// printed.
 struct Bars {
@@ -23,6 +31,7 @@ struct Bars {
   BarSection upright;        ///< Of posts.
   Eigen::Matrix3Xd printed;  ///< 3 x vertexCount: positions as printed, each layer in a plane of
                              ///< equal z and posts along z.
+  std::optional<JointLoads> loads = std::nullopt;
 
   const BarSection& section(const Strut& strut) const {
     return strut.isLateral() ? lateral : upright;

@@ -42,6 +42,22 @@ void validateSection(const BarSection& section) {
   }
 }
 
+void validateLoads(const JointLoads& loads, int vertexCount) {
+  if (loads.forces.cols() != vertexCount || !loads.forces.allFinite()) {
+    throw InputError(
+        fmt::format("joints need {} finite forces, got {}", vertexCount, loads.forces.cols()));
+  }
+  if (loads.held.empty()) {
+    throw InputError("a frame with forces on its joints needs a joint that is held");
+  }
+  for (const int joint : loads.held) {
+    if (joint < 0 || joint >= vertexCount) {
+      throw InputError(
+          fmt::format("a joint that is held must be >= 0 and < {}, got {}", vertexCount, joint));
+    }
+  }
+}
+
 void validateBars(const StrutGrid& grid) {
   const Bars& bars = *grid.bars;
   if (bars.printed.cols() != grid.shape.vertexCount() || !bars.printed.allFinite()) {
@@ -51,6 +67,9 @@ void validateBars(const StrutGrid& grid) {
   validateSection(bars.lateral);
   if (grid.shape.layers > 1) {
     validateSection(bars.upright);
+  }
+  if (bars.loads) {
+    validateLoads(*bars.loads, grid.shape.vertexCount());
   }
   forEachStrut(grid.shape, [&](const Strut& strut) {
     requirePositive(lengthAt(bars.printed, strut), "the printed length", strut);

@@ -31,7 +31,8 @@ std::optional<FromFlat> checkFromFlat(MultigridSolver& solver, const Equilibrium
     return std::nullopt;
   }
   FromFlat fromFlat{
-      .sameEquilibrium = std::abs(end.energy - design.energy) <= kSameEnergy * design.energy,
+      .sameEquilibrium =
+          std::abs(end.energy - design.energy) <= kSameEnergy * std::abs(design.energy),
       .rmsPercent = computeShapeError(solver.grid().shape, end.positions, targets).rmsPercent};
   if (softness) {
     fromFlat.leastStiffness = least;

@@ -227,6 +227,10 @@ StrainFigures readStrain(const json& s) {
           integer(s.at("struts_over_limit"))};
 }
 
+WeightFigures readWeight(const json& w) {
+  return {number(w.at("newtons")), optionalNumber(w.at("sag"))};
+}
+
 GridPlace readPlace(const json& p) {
   return {integer(p.at(0)), integer(p.at(1)), integer(p.at(2))};
 }
@@ -258,9 +262,10 @@ RunRecord readRecord(const json& r) {
   record.net = optionally(readNet, r.at("net"));
   record.mesh = optionally(readMesh, r.at("mesh"));
   record.measurement = optionally(readMeasurement, r.at("measurement"));
-  // Reports of before have neither.
+  // Reports of before have none of these.
   record.sheet = optionally(readSheet, r.value("sheet", json()));
   record.strain = optionally(readStrain, r.value("strain", json()));
+  record.weight = optionally(readWeight, r.value("weight", json()));
   record.inPlane = optionally(readEquilibrium, r.at("in_plane"));
   record.printScale = number(r.at("print_scale"));
   record.full = optionally(readEquilibrium, r.at("full"));

@@ -187,6 +187,10 @@ ordered_json toJson(const StrainFigures& s) {
           {"struts_over_limit", s.strutsOverLimit}};
 }
 
+ordered_json toJson(const WeightFigures& w) {
+  return {{"newtons", w.newtons}, {"sag", w.sag ? ordered_json(*w.sag) : nullptr}};
+}
+
 ordered_json toJson(const GridPlace& place) { return {place.i, place.j, place.layer}; }
 
 ordered_json toJson(const CloseStruts& c) {
@@ -237,6 +241,7 @@ std::string toJson(const RunRecord& record) {
       {"symmetry", orNull(record.symmetry)},
       {"shrink", orNull(record.shrink)},
       {"strain", orNull(record.strain)},
+      {"weight", orNull(record.weight)},
       {"feasibility", orNull(record.feasibility)},
       {"device_failure",
        record.deviceFailure ? ordered_json(*record.deviceFailure) : ordered_json(nullptr)},

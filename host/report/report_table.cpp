@@ -207,6 +207,11 @@ void addResults(Table& table, const RunRecord& record, const PublishedFigures& p
     if (record.strain) table.row("largest strain", percent(record.strain->largestPercent));
     table.row("struts over the limit", fmt::format("{}", record.shrink->strutsOverLimit));
   }
+  if (record.weight) {
+    const WeightFigures& w = *record.weight;
+    table.row("weight", fmt::format("{:.3g} N", w.newtons));
+    if (w.sag) table.row("  sags by", fmt::format("{:.3g}", *w.sag));
+  }
   addFeasibility(table, record);
 }
 

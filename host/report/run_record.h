@@ -12,6 +12,7 @@
 #include "report/figures.h"
 #include "report/shrink_figures.h"
 #include "report/symmetry_figures.h"
+#include "report/weight_figures.h"
 #include "solve/equilibrium.h"
 #include "target/mesh_figures.h"
 
@@ -78,6 +79,7 @@ struct RunRecord {
   std::optional<SymmetryFigures> symmetry;  ///< Only of targets that are symmetric.
   std::optional<ShrinkFigures> shrink;
   std::optional<StrainFigures> strain;
+  std::optional<WeightFigures> weight;  ///< Only with gravity.
   std::optional<Feasibility> feasibility;
   std::optional<PublishedFigures> published;
   std::optional<std::string> deviceFailure;  ///< What the device said when it failed on the way.

@@ -89,7 +89,11 @@ PointGrid coarsestPoints(const GridShape& shape) {
 
 CoarseLevels::CoarseLevels(const Device& device, const DeviceGrid& grid, const Buffer& positions,
                            const Buffer& residual, const Buffer& correction)
-    : device_(device), resolution_(grid.resolution()), stream_(device), kernels_(device) {
+    : device_(device),
+      resolution_(grid.resolution()),
+      isHeld_(grid.isLoaded()),
+      stream_(device),
+      kernels_(device) {
   createLevels(grid);
   columnTransfer_ = std::make_unique<const ColumnTransfer>(device, grid, *levels_.front(),
                                                            positions, residual, correction);
@@ -144,7 +148,7 @@ void CoarseLevels::build(double damping) {
 void CoarseLevels::invertCoarsest() {
   upload(device_, coarsestInverse_->buffer(),
          packInverse(computeCoarsestInverse(coarsestMatrix(), coarsestCentres(),
-                                            levels_.back()->points().u)));
+                                            levels_.back()->points().u, isHeld_)));
 }
 
 Eigen::MatrixXd CoarseLevels::coarsestMatrix() const {

@@ -105,7 +105,7 @@ MatrixXd orthonormalRigidMotions(const Eigen::Matrix3Xd& centres) {
 }
 
 MatrixXd computeCoarsestInverse(const MatrixXd& matrix, const Eigen::Matrix3Xd& centres,
-                                Eigen::Index pointsPerRow) {
+                                Eigen::Index pointsPerRow, bool isHeld) {
   if (!matrix.allFinite()) {
     throw DeviceError("the multigrid solver's coarsest matrix is not finite");
   }
@@ -117,12 +117,16 @@ MatrixXd computeCoarsestInverse(const MatrixXd& matrix, const Eigen::Matrix3Xd& 
   // Rigid motions would couple all rows: a point that is held takes their place until the inverse
   // is there.
   const Eigen::Index heldPoint = 6 * (centres.cols() / 2);
-  held.block<6, 6>(heldPoint, heldPoint).diagonal().array() += stiffness;
+  if (!isHeld) {
+    held.block<6, 6>(heldPoint, heldPoint).diagonal().array() += stiffness;
+  }
   for (double shift = kLeastShift;; shift *= 10) {
     MatrixXd shifted = held;
     shifted.diagonal() += shift * held.diagonal();
     if (auto inverse = invertBlockTridiagonal(shifted, 6 * pointsPerRow)) {
-      exchangeStiffness(*inverse, heldPoint, orthonormalRigidMotions(centres), stiffness);
+      if (!isHeld) {
+        exchangeStiffness(*inverse, heldPoint, orthonormalRigidMotions(centres), stiffness);
+      }
       return std::move(*inverse);
     }
   }

@@ -9,6 +9,7 @@
 #include <limits>
 
 #include "core/error.h"
+#include "energy/joint_term.h"
 #include "energy/strut_energy.h"
 #include "gpu/command_stream.h"
 #include "shared/solver_types.h"
@@ -118,10 +119,28 @@ std::optional<DeviceFrame> frameOf(const StrutGrid& grid) {
   if (!grid.bars) {
     return std::nullopt;
   }
-  const auto& [lateral, upright, printed] = *grid.bars;
-  return DeviceFrame{onDevice(lateral, grid.spacing), onDevice(upright, grid.spacing),
-                     static_cast<float>(lateral.joint / grid.spacing),
-                     static_cast<float>(upright.joint / grid.spacing)};
+  const BarSection& lateral = grid.bars->lateral;
+  const BarSection& upright = grid.bars->upright;
+  return DeviceFrame{
+      onDevice(lateral, grid.spacing),
+      onDevice(upright, grid.spacing),
+      static_cast<float>(lateral.joint / grid.spacing),
+      static_cast<float>(upright.joint / grid.spacing),
+      static_cast<float>(JointTerm::holdingOf(grid)),
+      static_cast<float>(JointTerm::turningOf(grid) / (grid.spacing * grid.spacing))};
+}
+
+/// See kBindingLoads.
+std::vector<vec4> packLoads(const JointLoads& loads, double spacing) {
+  std::vector<vec4> packed;
+  packed.reserve(static_cast<std::size_t>(loads.forces.cols()));
+  for (const auto& force : loads.forces.colwise()) {
+    packed.emplace_back(force.x() / spacing, force.y() / spacing, force.z() / spacing, 0);
+  }
+  for (const int joint : loads.held) {
+    packed[joint].w = 1;
+  }
+  return packed;
 }
 
 /// See kBindingPrinted.
@@ -178,27 +197,35 @@ void DeviceGrid::take(const StrutGrid& grid) {
   uniformStiffness_ = findUniformStiffness(grid);
   storage_->stepsPerForce = (2 * energy.constraintWeights()).cwiseInverse();
   frame_ = frameOf(grid);
+  isLoaded_ = frame_ && grid.bars->loads;
   if (frame_) {
-    upload(device_, storage_->printed, packDirections(shape_, grid.bars->printed));
-    uploadPositions(grid.positions, unturnedJoints(shape_.vertexCount()));
-  } else {
-    if (grid.printedCorners) {
-      upload(device_, storage_->printed, packDirections(shape_, *grid.printedCorners));
-    }
-    uploadPositions(grid.positions, {});
+    takeBars(grid);
+  } else if (grid.printedCorners) {
+    upload(device_, storage_->printed, packDirections(shape_, *grid.printedCorners));
   }
+  uploadPositions(grid.positions);
   uploadRest(grid.rest);
   upload(device_, storage_->stiffness, packStiffness(grid.stiffness));
+}
+
+void DeviceGrid::takeBars(const StrutGrid& grid) {
+  upload(device_, storage_->printed, packDirections(shape_, grid.bars->printed));
+  if (isLoaded_) {
+    if (!storage_->loads) {
+      storage_->loads.emplace(texelBuffer(device_, shape_.vertexCount()));
+      storage_->printedPositions.emplace(texelBuffer(device_, shape_.vertexCount()));
+    }
+    upload(device_, *storage_->loads, packLoads(*grid.bars->loads, spacing_));
+    upload(device_, *storage_->printedPositions, packed(grid.bars->printed));
+  }
 }
 
 std::shared_ptr<const DeviceGrid> DeviceGrid::onlooker() const {
   return std::shared_ptr<const DeviceGrid>(new DeviceGrid(*this));
 }
 
-void DeviceGrid::uploadPositions(const Eigen::Matrix3Xd& positions,
-                                 const JointRotations& rotations) {
-  const ivec4 unturned(0, 0, 0, std::int32_t{1} << kRotationBits);
-  std::vector<ivec4> packed(vectorLength(), unturned);
+std::vector<ivec4> DeviceGrid::packed(const Eigen::Matrix3Xd& positions) const {
+  std::vector<ivec4> packed(static_cast<std::size_t>(positions.cols()));
   for (Eigen::Index n = 0; n < positions.cols(); ++n) {
     const Eigen::Vector3d steps = (positions.col(n) - origin_) / (spacing_ * resolution_);
     if (!(steps.cwiseAbs().maxCoeff() <= kLargestCoordinate)) {
@@ -209,6 +236,14 @@ void DeviceGrid::uploadPositions(const Eigen::Matrix3Xd& positions,
     }
     packed[n] = encode(steps);
   }
+  return packed;
+}
+
+void DeviceGrid::uploadPositions(const Eigen::Matrix3Xd& positions,
+                                 const JointRotations& rotations) {
+  const ivec4 unturned(0, 0, 0, std::int32_t{1} << kRotationBits);
+  std::vector<ivec4> packed = this->packed(positions);
+  packed.resize(vectorLength(), unturned);
   for (Eigen::Index n = 0; n < rotations.cols(); ++n) {
     packed[positions.cols() + n] = encodeRotation(rotations.col(n));
   }

@@ -22,6 +22,8 @@ struct DeviceFrame {
   DeviceBarSection upright;
   float lateralJoint;
   float uprightJoint;
+  float holding;  ///< Of joints that are held.
+  float turning;
 };
 
 /// A strut grid in the device's memory: what the kernels of shaders/solve and shaders/render read.
@@ -57,6 +59,8 @@ class DeviceGrid {
   bool isFrame() const { return mechanics_ == Mechanics::frame; }
   Mechanics mechanics() const { return mechanics_; }
   const DeviceFrame& frame() const { return *frame_; }
+  /// Whether something acts on a frame's joints from outside, see JointLoads.
+  bool isLoaded() const { return isLoaded_; }
   /// Texels of a vector of the solver: one a vertex, and in frames another for its turn.
   int vectorLength() const { return (isFrame() ? 2 : 1) * shape_.vertexCount(); }
 
@@ -74,6 +78,10 @@ class DeviceGrid {
   const Buffer& stiffness() const { return storage_->stiffness; }
   /// vec4 a vertex, unless corners rest at right angles: printed directions, see kBindingPrinted.
   const Buffer& printed() const { return storage_->printed; }
+  /// vec4 a vertex of a frame that is loaded: the force on it; 1 where it is held.
+  const Buffer& loads() const { return *storage_->loads; }
+  /// ivec4 a vertex of a frame that is loaded: where it was printed, as positions().
+  const Buffer& printedPositions() const { return *storage_->printedPositions; }
   /// Empty when stiffnesses differ.
   const std::optional<UniformStiffness>& uniformStiffness() const { return uniformStiffness_; }
 
@@ -95,6 +103,8 @@ class DeviceGrid {
     Buffer rest;
     Buffer stiffness;
     Buffer printed;
+    std::optional<Buffer> loads;  ///< These two from the first grid on that is loaded.
+    std::optional<Buffer> printedPositions;
     Eigen::VectorXd stepsPerForce;
     std::atomic<bool> newestIsFirst = true;
 
@@ -103,6 +113,9 @@ class DeviceGrid {
 
   DeviceGrid(const DeviceGrid&) = default;  // For onlooker().
   void take(const StrutGrid& grid);
+  void takeBars(const StrutGrid& grid);
+  /// positions: 3 x vertexCount. Throws InputError where one is out of reach.
+  std::vector<ivec4> packed(const Eigen::Matrix3Xd& positions) const;
 
   const Device& device_;
   GridShape shape_;
@@ -110,6 +123,7 @@ class DeviceGrid {
   Mechanics mechanics_;
   double spacing_ = 1;
   std::optional<DeviceFrame> frame_;
+  bool isLoaded_ = false;
   TermWeights weights_;
   int mostVertices_ = 0;
   double restResolution_ = 1;

@@ -18,9 +18,9 @@ class FrameColumns {
   FrameColumns(const Device& device, const DeviceGrid& grid);
 
   FramePush push() const { return framePushOf(grid_); }
-  /// Rest lengths and printed directions.
+  /// Rest lengths, printed directions and loads.
   void appendResources(std::vector<KernelResource>& resources) const;
-  std::vector<std::uint32_t> constants() const { return {subgroupSize_}; }
+  std::vector<std::uint32_t> constants() const;
 
   std::uint32_t groupsU() const;
   std::uint32_t groupsV() const { return static_cast<std::uint32_t>(grid_.shape().verticesV); }
@@ -31,6 +31,8 @@ class FrameColumns {
   std::uint32_t subgroupSize_;
   TexelView rest_;
   TexelView printed_;
+  TexelView loads_;  ///< Of frames without loads these two are others, which no kernel reads.
+  TexelView printedPositions_;
 };
 
 }  // namespace morphgrid

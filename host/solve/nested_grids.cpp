@@ -1,8 +1,9 @@
 #include "solve/nested_grids.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+
+#include "solve/resample_grid.h"
 
 namespace morphgrid {
 namespace {
@@ -22,76 +23,6 @@ constexpr double kLargestLayerDifference = 0.35;
 constexpr double kLightCorner = 0.1;
 constexpr double kCornerFactor = 10;
 constexpr double kLightestCorner = 1e-5;
-
-/// Where a point of a line of `count` points lies among the `coarseCount` points of a coarser line
-/// over the same length, or the other way round.
-double matchingPlace(int index, int count, int otherCount) {
-  return count > 1 ? double(index) * (otherCount - 1) / (count - 1) : 0;
-}
-
-/// Interpolation at a place on a line: linear, or cubic where there are four points.
-struct Stencil {
-  int first;
-  int count;
-  std::array<double, 4> weights;
-};
-
-Stencil linearStencil(double place, int pointCount) {
-  if (pointCount < 2) {
-    return {0, 1, {1}};
-  }
-  const int first = std::min(static_cast<int>(place), pointCount - 2);
-  return {first, 2, {1 - (place - first), place - first}};
-}
-
-/// Lagrange's polynomial through the four nearest points.
-Stencil cubicStencil(double place, int pointCount) {
-  if (pointCount < 4) {
-    return linearStencil(place, pointCount);
-  }
-  Stencil stencil{std::clamp(static_cast<int>(place) - 1, 0, pointCount - 4), 4, {1, 1, 1, 1}};
-  for (int p = 0; p < 4; ++p) {
-    for (int q = 0; q < 4; ++q) {
-      if (q != p) {
-        stencil.weights[p] *= (place - stencil.first - q) / (p - q);
-      }
-    }
-  }
-  return stencil;
-}
-
-/// One value per vertex of a layer, or one per vertex of a coarser or finer one: columns.
-Matrix3Xd resample(const GridShape& from, const Matrix3Xd& points, const GridShape& to) {
-  Matrix3Xd result = Matrix3Xd::Zero(3, to.layerVertexCount());
-  forEachVertex(to.layer(), [&](const GridPlace& place) {
-    const Stencil u =
-        cubicStencil(matchingPlace(place.i, to.verticesU, from.verticesU), from.verticesU);
-    const Stencil v =
-        cubicStencil(matchingPlace(place.j, to.verticesV, from.verticesV), from.verticesV);
-    for (int q = 0; q < v.count; ++q) {
-      for (int p = 0; p < u.count; ++p) {
-        result.col(to.index(place)) +=
-            u.weights[p] * v.weights[q] * points.col(from.index(u.first + p, v.first + q, 0));
-      }
-    }
-  });
-  return result;
-}
-
-Matrix3Xd resampleLayers(const GridShape& from, const Matrix3Xd& positions, const GridShape& to,
-                         double offsetScale) {
-  Matrix3Xd mean = Matrix3Xd::Zero(3, from.layerVertexCount());
-  for (int k = 0; k < from.layers; ++k) {
-    mean += layerOf(from, positions, k) / from.layers;
-  }
-  const Matrix3Xd newMean = resample(from, mean, to);
-  Matrix3Xd result(3, to.vertexCount());
-  for (int k = 0; k < to.layers; ++k) {
-    layerOf(to, result, k) =
-        newMean + offsetScale * resample(from, layerOf(from, positions, k) - mean, to);
-  }
-  return result;
-}
 
 /// A grid's lines of struts along u or v: in each layer `count` of `struts` each.
 struct StrutLines {
@@ -128,7 +59,7 @@ class LineSums {
 
   /// Between two places along a line that may lie between lines.
   double between(double from, double to, double line, int layer) const {
-    const Stencil across = linearStencil(line, lines_.count());
+    const LineStencil across = linearStencil(line, lines_.count());
     double sum = 0;
     for (int q = 0; q < across.count; ++q) {
       const int n = across.first + q;
@@ -139,7 +70,7 @@ class LineSums {
 
  private:
   double sumTo(double place, int line, int layer) const {
-    const Stencil along = linearStencil(place, lines_.struts() + 1);
+    const LineStencil along = linearStencil(place, lines_.struts() + 1);
     double sum = 0;
     for (int p = 0; p < along.count; ++p) {
       sum += along.weights[p] * sums_[lines_.vertex(along.first + p, line, layer)];
@@ -171,14 +102,9 @@ std::vector<double> coarsenLateral(const GridShape& fine, const std::vector<doub
 std::vector<double> coarsenVertical(const GridShape& fine, const std::vector<double>& values,
                                     const GridShape& coarse) {
   std::vector<double> result(coarse.vertexCount());
-  const auto nearest = [](int index, int count, int otherCount) {
-    return static_cast<int>(std::lround(matchingPlace(index, count, otherCount)));
-  };
-  forEachVertex(coarse, [&](const GridPlace& place) {
-    result[coarse.index(place)] =
-        values[fine.index(nearest(place.i, coarse.verticesU, fine.verticesU),
-                          nearest(place.j, coarse.verticesV, fine.verticesV), place.layer)];
-  });
+  for (int n = 0; n < coarse.vertexCount(); ++n) {
+    result[n] = values[nearestVertex(coarse, n, fine)];
+  }
   return result;
 }
 
@@ -237,6 +163,30 @@ double largestTurn(const StrutGrid& grid) {
   return largest;
 }
 
+/// Forces are shared out among the coarse joints around them; those are held that lie nearest to
+/// one that is.
+JointLoads coarsened(const JointLoads& loads, const GridShape& fine, const GridShape& coarse) {
+  JointLoads result{Matrix3Xd::Zero(3, coarse.vertexCount()), {}};
+  forEachVertex(fine, [&](const GridPlace& place) {
+    const LineStencil u =
+        linearStencil(matchingPlace(place.i, fine.verticesU, coarse.verticesU), coarse.verticesU);
+    const LineStencil v =
+        linearStencil(matchingPlace(place.j, fine.verticesV, coarse.verticesV), coarse.verticesV);
+    for (int q = 0; q < v.count; ++q) {
+      for (int p = 0; p < u.count; ++p) {
+        result.forces.col(coarse.index(u.first + p, v.first + q, place.layer)) +=
+            u.weights[p] * v.weights[q] * loads.forces.col(fine.index(place));
+      }
+    }
+  });
+  for (const int joint : loads.held) {
+    result.held.push_back(nearestVertex(fine, joint, coarse));
+  }
+  std::sort(result.held.begin(), result.held.end());
+  result.held.erase(std::unique(result.held.begin(), result.held.end()), result.held.end());
+  return result;
+}
+
 StrutGrid coarsened(const StrutGrid& fine, const GridShape& shape) {
   using enum Strut::Direction;
   StrutGrid coarse{shape, 0, {}, StrutValues(shape), StrutValues(shape), fine.weights};
@@ -258,6 +208,12 @@ BarSection thickened(const BarSection& bar, double longer, double thickness) {
           bending * bar.twisting,  bar.shearing / longer,  thickness * bar.joint};
 }
 
+/// What bends the thicker grid as much: it is stiffer by the square.
+JointLoads thickened(JointLoads loads, double thickness) {
+  loads.forces *= thickness * thickness;
+  return loads;
+}
+
 /// Moves the layers apart by wantedThickness, or as far as the rest lengths allow.
 NestedGrid thickened(StrutGrid grid, const StrutGrid& finest, double wantedThickness) {
   const GridShape& shape = grid.shape;
@@ -276,6 +232,9 @@ NestedGrid thickened(StrutGrid grid, const StrutGrid& finest, double wantedThick
     grid.bars = Bars{thickened(finest.bars->lateral, longer, thickness),
                      thickened(finest.bars->upright, longer, thickness),
                      resampleLayers(finest.shape, finest.bars->printed, shape, thickness)};
+    if (finest.bars->loads) {
+      grid.bars->loads = thickened(coarsened(*finest.bars->loads, finest.shape, shape), thickness);
+    }
   }
   if (finest.printedCorners) {
     grid.printedCorners = resampleLayers(finest.shape, *finest.printedCorners, shape, thickness);
@@ -330,8 +289,16 @@ std::vector<NestedGrid> nestGrids(const StrutGrid& finest) {
 }
 
 Matrix3Xd prolong(const NestedGrid& coarse, const Matrix3Xd& positions, const NestedGrid& fine) {
-  return resampleLayers(coarse.grid.shape, positions, fine.grid.shape,
-                        fine.thickness / coarse.thickness);
+  Matrix3Xd result = resampleLayers(coarse.grid.shape, positions, fine.grid.shape,
+                                    fine.thickness / coarse.thickness);
+  if (fine.grid.bars && fine.grid.bars->loads) {
+    // Those that are held lie elsewhere among the coarse ones.
+    const std::vector<int>& held = fine.grid.bars->loads->held;
+    const Eigen::Vector3d offset =
+        (fine.grid.bars->printed(Eigen::all, held) - result(Eigen::all, held)).rowwise().mean();
+    result.colwise() += offset;
+  }
+  return result;
 }
 
 }  // namespace morphgrid

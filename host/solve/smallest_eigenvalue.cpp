@@ -76,10 +76,13 @@ MatrixXd rigidMotions(const Matrix3Xd& positions, Motions motions) {
   return orthonormalised(basis(Eigen::all, columns), MatrixXd(basis.rows(), 0));
 }
 
-/// Of a frame: displacements in spacings, then turns.
-MatrixXd rigidMotionsOfFrame(const Matrix3Xd& positions, double spacing) {
-  const Matrix3Xd centred = (positions.colwise() - positions.rowwise().mean()) / spacing;
+/// Of a frame: displacements in spacings, then turns. None where joints are held.
+MatrixXd rigidMotionsOfFrame(const StrutGrid& grid, const Matrix3Xd& positions) {
   const Index count = positions.cols();
+  if (grid.bars->loads) {
+    return {6 * count, 0};
+  }
+  const Matrix3Xd centred = (positions.colwise() - positions.rowwise().mean()) / grid.spacing;
   MatrixXd basis = MatrixXd::Zero(6 * count, 6);
   for (int axis = 0; axis < 3; ++axis) {
     const Eigen::Vector3d unit = Eigen::Vector3d::Unit(axis);
@@ -262,7 +265,7 @@ SmallestEigenvalue computeSmallestEigenvalue(const StrutGrid& grid, const Matrix
                                              const Preconditioner& preconditioner,
                                              const EigenvalueOptions& options) {
   return search(Problem(FrameOperator(grid, positions, rotations), preconditioner,
-                        rigidMotionsOfFrame(positions, grid.spacing), Motions::inSpace),
+                        rigidMotionsOfFrame(grid, positions), Motions::inSpace),
                 options);
 }
 

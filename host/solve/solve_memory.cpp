@@ -18,9 +18,9 @@ constexpr std::uint64_t kStagingTexels = 1;   // A download on its way to the ho
 constexpr std::uint64_t kDescentTexels = 16;  // LbfgsVectors, VCycle, GridHessian
 constexpr std::uint64_t kVertexTexels = kGridTexels + kStagingTexels + kDescentTexels;
 constexpr std::uint64_t kPrintedTexels = 1;  // Directions.
-// Of a frame: two of positions, vectors and the Hessian's positions, printed directions, and blocks
-// of 6 x 6 for the two texels of 3 x 3.
-constexpr std::uint64_t kFrameTexels = 2 * (kVertexTexels - 2 - 2) + 2 + kPrintedTexels + 9;
+// Of a frame: two of positions, vectors and the Hessian's positions, printed directions, what acts
+// on joints and where they were printed, and blocks of 6 x 6 for the two texels of 3 x 3.
+constexpr std::uint64_t kFrameTexels = 2 * (kVertexTexels - 2 - 2) + 2 + kPrintedTexels + 2 + 9;
 constexpr std::uint64_t kAdjointTexels = 2;  // AdjointSolver, beside the descent's.
 
 // Texels a point of a coarse level: the matrix and its inverse diagonal, centre, three motions and

@@ -18,8 +18,9 @@ constexpr double kNoEnergy = 1e-13;
 }  // namespace
 
 void EnergyFall::add(const PreconditionedDescent& descent) {
-  const double share =
-      descent.energy() > noEnergy_ ? descent.predictedDecrease() / descent.energy() : 0;
+  // Weights may have made it negative.
+  const double energy = std::abs(descent.energy());
+  const double share = energy > noEnergy_ ? descent.predictedDecrease() / energy : 0;
   quietSteps_ = share < tolerance_ ? quietSteps_ + 1 : 0;
   shares_.push_back(share);
 }

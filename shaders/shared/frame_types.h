@@ -20,7 +20,14 @@ CONSTANT uint kRotationBits = 30u;
 // joints.
 CONSTANT uint kConstantJointsTurn = 1u;
 
-// Bindings beside those of solver_types.h and multigrid_types.h.
+// Specialisation constant of the kernels that walk a frame's bars, bool: something acts on its
+// joints from outside.
+CONSTANT uint kConstantIsLoaded = 1u;
+
+// Bindings beside those of solver_types.h and multigrid_types.h. The last two only where joints are
+// loaded; what is bound there else is not read.
+CONSTANT uint kBindingLoads = 63u;             // texels, vec4 a vertex: force; 1 where it is held
+CONSTANT uint kBindingPrintedPositions = 64u;  // texels, ivec4 a vertex, as positions
 
 // How stiff a bar is: lengths in spacings, energies in stiffness x spacing^2.
 struct DeviceBarSection {
@@ -40,6 +47,8 @@ struct FramePush {
   DeviceBarSection upright;
   float lateralJoint;  // Half the width of the rigid joint at a lateral bar's end; spacings.
   float uprightJoint;
+  float holding;    // Stiffness of what holds a joint, against displacements,
+  float turning;    // and against turns.
   float damping;    // Stiffness of every bar against any motion, which is added to a Hessian.
   float weight;     // omega, of a step of block-Jacobi smoothing.
   int centreLayer;  // Whose vertices are the columns' centres.
@@ -48,7 +57,7 @@ struct FramePush {
 
 #ifdef __cplusplus
 static_assert(offsetof(FramePush, lateral) == sizeof(GridPush));
-static_assert(offsetof(FramePush, firstRow) == sizeof(GridPush) + 60);
+static_assert(offsetof(FramePush, firstRow) == sizeof(GridPush) + 68);
 }  // namespace morphgrid
 #endif
 #undef CONSTANT

@@ -1,13 +1,17 @@
 // Joints and bars of a frame, as the kernels find them (shared/frame_types.h).
 #extension GL_EXT_control_flow_attributes : require
 #include "energy/beam.glsl"
+#include "energy/joint.glsl"
 #include "shared/topology.h"
 
 layout(local_size_x_id = kConstantSubgroupSize) in;
+layout(constant_id = kConstantIsLoaded) const bool kIsLoaded = false;
 
 layout(binding = kBindingPositions, rgba32i) readonly uniform iimageBuffer joints;
 layout(binding = kBindingRest, rgba32i) readonly uniform iimageBuffer restLengths;
 layout(binding = kBindingPrinted, rgba32f) readonly uniform imageBuffer printed;
+layout(binding = kBindingLoads, rgba32f) readonly uniform imageBuffer loads;
+layout(binding = kBindingPrintedPositions, rgba32i) readonly uniform iimageBuffer printedPositions;
 layout(push_constant) uniform Push { FramePush push; };
 
 int jointCount() { return push.grid.size.x * push.grid.size.y * push.grid.size.z; }
@@ -19,6 +23,14 @@ int indexOf(ivec3 vertex) {
 
 Joint jointAt(int index) {
   return Joint(imageLoad(joints, index), imageLoad(joints, jointCount() + index));
+}
+
+// Of a frame that is loaded.
+JointTerm jointTermAt(int index, Joint joint) {
+  vec4 load = imageLoad(loads, index);
+  Real3 moved = armBetween(imageLoad(printedPositions, index), joint.position, push.grid.resolution);
+  Real4 q = Real4(joint.rotation) / Real(1 << int(kRotationBits));
+  return JointTerm(moved, q.xyz, q.w, Real3(load.xyz), load.w * push.holding, load.w * push.turning);
 }
 
 DeviceBarSection sectionOf(int axis) {

@@ -24,7 +24,10 @@ void main() {
       add(block, 1.0, betweenEnds(rowsOf(from, axis), self, self));
     }
   }
-  Block inverse = inverseOf(block);
   int index = indexOf(vertex);
+  if (kIsLoaded) {
+    add(block, 1.0, ofHold(index, vec3(0)));
+  }
+  Block inverse = inverseOf(block);
   STORE_BLOCK(inverse0, inverse1, inverse2, index, inverse);
 }

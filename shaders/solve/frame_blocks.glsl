@@ -57,3 +57,11 @@ Block betweenEnds(BarRows rows, End row, End column) {
   block.ww += mat3(sign * push.damping);
   return block;
 }
+
+// What holds a joint, as part of a body about whose centre it has a lever. Nothing where it is free.
+Block ofHold(int index, vec3 lever) {
+  float share = imageLoad(loads, index).w;
+  Block block = ofForces(mat3(share * push.holding), lever, lever);
+  block.ww += mat3(share * push.turning);
+  return block;
+}

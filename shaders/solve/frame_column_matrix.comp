@@ -41,6 +41,9 @@ void main() {
       addBar(stencil.self, stencil.east, neighbour(vertex, 0, leaves - 1), 0, leaves == 1);
       addBar(stencil.self, stencil.north, neighbour(vertex, 1, leaves - 1), 1, leaves == 1);
     }
+    if (kIsLoaded) {
+      add(stencil.self, 1.0, ofHold(indexOf(vertex), leverOf(vertex)));
+    }
     // Damping holds posts too.
     if (hasStrut(push.grid.size, vertex, 2)) {
       vec3 post = armBetween(imageLoad(joints, indexOf(vertex)),

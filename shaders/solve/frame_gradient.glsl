@@ -13,6 +13,8 @@ BarForces barForces(DeviceBarSection section, Beam beam, BarMotion z) { return b
 
 BarMotion barMotion(int indexA, int indexB) { return BarMotion(vec3(0), vec3(0), vec3(0)); }
 
+JointForces jointForces(JointTerm term, int index) { return jointGradient(term); }
+
 void finish(int index, Real3 force, Real3 moment) {
   gradients[index] = vec4(force, 0.0);
   gradients[jointCount() + index] = vec4(moment, 0.0);

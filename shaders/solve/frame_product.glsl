@@ -1,5 +1,5 @@
 // A product of a frame's Hessian with a vector z, at `joints`, without ever storing the matrix. An including
-// kernel defines barForces() and finish() of frame_sum.glsl.
+// kernel defines barForces(), jointForces() and finish() of frame_sum.glsl.
 #define Sum float
 #include "solve/frame_sum.glsl"
 

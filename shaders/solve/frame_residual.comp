@@ -9,6 +9,10 @@ BarForces barForces(DeviceBarSection section, Beam beam, BarMotion z) {
   return damped(beamGaussNewtonProduct(section, beam, z), z);
 }
 
+JointForces jointForces(JointTerm term, int index) {
+  return jointGaussNewtonProduct(term, imageLoad(vectors, index).xyz, imageLoad(vectors, jointCount() + index).xyz);
+}
+
 void finish(int index, vec3 force, vec3 moment) {
   int turning = jointCount() + index;
   result[index] = vec4(imageLoad(rightSide, index).xyz - force, 0.0);

@@ -3,14 +3,16 @@
 //   Sum                              the type in which energies are added up
 //   barForces(section, beam, z)      what a bar adds
 //   barMotion(indexA, indexB)        z at a bar's ends
+//   jointForces(term, index)         what acts on a joint from outside
 //   finish(index, force, moment)     a joint's sums, complete
 #include "solve/frame.glsl"
 
 BarForces barForces(DeviceBarSection section, Beam beam, BarMotion z);
 BarMotion barMotion(int indexA, int indexB);
+JointForces jointForces(JointTerm term, int index);
 void finish(int index, Real3 force, Real3 moment);
 
-Sum energy = Sum(0);  // of the bars that leave the column's joints
+Sum energy = Sum(0);  // of the column's joints and the bars that leave them
 
 void addBars(ivec3 vertex, int axis, Joint here, inout Real3 force, inout Real3 moment) {
   DeviceBarSection section = sectionOf(axis);
@@ -31,6 +33,14 @@ void addBars(ivec3 vertex, int axis, Joint here, inout Real3 force, inout Real3 
   moment += share * forces.momentB;
 }
 
+void addLoad(int index, Joint here, inout Real3 force, inout Real3 moment) {
+  JointTerm term = jointTermAt(index, here);
+  JointForces forces = jointForces(term, index);
+  force += forces.force;
+  moment += forces.moment;
+  energy += Sum(jointEnergy(term));
+}
+
 void walkColumn() {
   ivec2 column = ivec2(gl_GlobalInvocationID.xy);
   if (!hasColumn(push.grid.size, column)) {
@@ -44,6 +54,9 @@ void walkColumn() {
     addBars(vertex, 0, here, force, moment);
     addBars(vertex, 1, here, force, moment);
     addBars(vertex, 2, here, force, moment);
+    if (kIsLoaded) {
+      addLoad(index, here, force, moment);
+    }
     finish(index, force, moment);
   }
 }

@@ -271,6 +271,33 @@ TEST(CheckpointProblem, KnowsTheSheetAndItsBounds) {
               HasSubstr("largest strain: none in the checkpoint, 0.1 in the scene"));
 }
 
+TEST(CheckpointProblem, KnowsWeightAndSupports) {
+  const std::vector<std::string> held{"grid.layers=2", "material.model=frame",
+                                      "material.supports=[\"middle\"]"};
+  const auto heavy = [&](const char* density) {
+    std::vector<std::string> overrides = held;
+    overrides.insert(overrides.end(), {"material.gravity=[0, 0, -9.81]", "material.modulus=1e6",
+                                       std::string("material.density=") + density});
+    return overrides;
+  };
+  const auto differences = [](const std::vector<std::string>& before,
+                              const std::vector<std::string>& after) {
+    try {
+      requireSameProblem("c", {identityOf(before)}, identityOf(after));
+    } catch (const InputError& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  EXPECT_EQ(differences(heavy("1200"), heavy("1200")), "");
+  EXPECT_THAT(differences(held, heavy("1200")),
+              HasSubstr("weight: none in the checkpoint, gravity [0, 0, -9.81], density 1200 in 0, "
+                        "modulus 1000000, unit 0.001 m in the scene"));
+  EXPECT_THAT(differences(heavy("1300"), heavy("1200")), HasSubstr("weight: gravity"));
+  EXPECT_THAT(differences({held[0], held[1]}, held),
+              HasSubstr("supports: none in the checkpoint, middle in the scene"));
+}
+
 TEST(CheckpointProblem, IsEveryNumberOfTheGrid) {
   const Scene scene = SceneFiles(kBezierScene).load();
   const SceneDesign designed = designScene(scene);

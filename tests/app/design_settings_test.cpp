@@ -72,6 +72,56 @@ TEST(MaterialSettings, AFrameGoesWithWhatIsThereForIt) {
               HasSubstr("material.bar_width must be a number > 0"));
 }
 
+constexpr const char* kWeight =
+    "layers = 2\n[material]\nmodel = \"frame\"\ngravity = [0, 0, -9.81]\ndensity = 1240\n"
+    "modulus = 3e6\nsupports = [\"corners\", [2, 1, 0]]\n";
+
+TEST(MaterialSettings, BarsWeighAndAreHeldAsAsked) {
+  const MaterialRequest material = SceneFiles(kBezierScene + std::string(kWeight))
+                                       .load({"material.fluid_density=1000", "material.unit=0.01"})
+                                       .material;
+  EXPECT_EQ(material.gravity, (std::array{0.0, 0.0, -9.81}));
+  EXPECT_EQ(material.density, 1240);
+  EXPECT_EQ(material.fluidDensity, 1000);
+  EXPECT_EQ(material.modulus, 3e6);
+  EXPECT_EQ(material.unit, 0.01);
+  EXPECT_EQ(material.supports, (std::vector<Support>{SupportPlace::corners, std::array{2, 1, 0}}));
+}
+
+TEST(MaterialSettings, WeightNeedsWhatMakesItBend) {
+  const SceneFiles files(kBezierScene + std::string(kWeight));
+  EXPECT_EQ(files.problems(), "");
+  EXPECT_EQ(files.problems({"material.model=paper"}),
+            "scene.toml:9:11: material.gravity needs material.model = \"frame\": springs neither "
+            "weigh nor are they held; set it or leave the key out\n"
+            "scene.toml:12:12: material.supports needs material.model = \"frame\": springs neither "
+            "weigh nor are they held; set it or leave the key out");
+  EXPECT_EQ(SceneFiles(kBezierScene + std::string("layers = 2\n[material]\nmodel = \"frame\"\n"
+                                                  "gravity = [0, 0, -9.81]\n"))
+                .problems(),
+            "scene.toml:9:11: material.gravity needs material.density, in kg/m^3\n"
+            "scene.toml:9:11: material.gravity needs material.modulus, in Pa\n"
+            "scene.toml:9:11: material.gravity needs material.supports: a grid that nothing holds "
+            "falls freely, and weight does not bend it");
+}
+
+TEST(MaterialSettings, GravityIsAVectorAndSupportsAreJoints) {
+  const SceneFiles files(kBezierScene + std::string(kWeight));
+  EXPECT_THAT(files.problems({"material.gravity=9.81"}),
+              HasSubstr("material.gravity must be an array of 3 numbers [x, y, z], m/s^2, got "
+                        "9.81"));
+  for (const auto& [value, got] : {std::pair{"[\"top\"]", "\"top\""},
+                                   {"[[1, 2]]", "an array of 2"},
+                                   {"[[1, 2, -3]]", "an array of 3"},
+                                   {"[7]", "7"}}) {
+    EXPECT_THAT(files.problems({std::string("material.supports=") + value}),
+                HasSubstr(std::string("material.supports[0] must be \"middle\", \"corners\", "
+                                      "\"rim\" or a joint [i, j, k] of integers >= 0, got ") +
+                          got));
+  }
+  EXPECT_THAT(files.problems({"material.density=0"}), HasSubstr("material.density must be"));
+}
+
 TEST(MaterialSettings, TheRangeOfShrinkMustNotBeEmpty) {
   const SceneFiles files(kBezierScene);
   EXPECT_THAT(

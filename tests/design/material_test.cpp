@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "core/error.h"
+#include "tests/design/stacked_grid.h"
 
 namespace morphgrid {
 namespace {
@@ -12,24 +13,8 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-/// Cells of 2 x 2 in two layers that are 1 apart, stiffness 3.
-StrutGrid stacked() {
-  const GridShape shape{4, 3, 2};
-  StrutGrid grid{
-      shape, 2, Eigen::Matrix3Xd(3, shape.vertexCount()), StrutValues(shape), StrutValues(shape),
-      {}};
-  forEachVertex(shape, [&](const GridPlace& place) {
-    grid.positions.col(shape.index(place)) << 2 * place.i, 2 * place.j, place.layer;
-  });
-  forEachStrut(shape, [&](const Strut& strut) {
-    valueAt(grid.rest, strut) = lengthAt(grid.positions, strut);
-    valueAt(grid.stiffness, strut) = 3;
-  });
-  return grid;
-}
-
 TEST(ApplyMaterial, LeavesThePapersGridAlone) {
-  StrutGrid grid = stacked();
+  StrutGrid grid = stackedGridOfTwoLayers();
   applyMaterial(grid, {});
   EXPECT_EQ(mechanicsOf(grid), Mechanics::springs);
 }
@@ -37,7 +22,7 @@ TEST(ApplyMaterial, LeavesThePapersGridAlone) {
 // EA = 2 w L = 12, EI = EA t^2 / 12 = 0.04; weights of frame.md: (w / 4) (t / L)^2, and that of
 // posts.
 TEST(ApplyMaterial, WeighsSpringsAsBars) {
-  StrutGrid grid = stacked();
+  StrutGrid grid = stackedGridOfTwoLayers();
   applyMaterial(grid, {.model = Model::bars, .barWidth = 0.2});
   EXPECT_EQ(mechanicsOf(grid), Mechanics::springsAsPrinted);
   EXPECT_EQ(*grid.printedCorners, grid.positions);
@@ -50,14 +35,14 @@ TEST(ApplyMaterial, WeighsSpringsAsBars) {
 
 // Twice as wide, they bend in their plane with 8 times EI at twice EA.
 TEST(ApplyMaterial, WeighsCornersByTheirBarsBending) {
-  StrutGrid grid = stacked();
+  StrutGrid grid = stackedGridOfTwoLayers();
   applyMaterial(grid, {.model = Model::bars, .barWidth = 0.4, .barHeight = 0.2, .postWidth = 0.2});
   EXPECT_NEAR(grid.weights.angle, 3.0 / 4 * 0.2 * 0.2, 1e-12);
   EXPECT_NEAR(grid.weights.postAngle, 1.5 * 0.04 * (4 + 1) / ((2 + 1.0 * 2) * 4 * 1), 1e-12);
 }
 
 TEST(ApplyMaterial, TakesBarsAFifthAsWideAsLong) {
-  StrutGrid grid = stacked();
+  StrutGrid grid = stackedGridOfTwoLayers();
   applyMaterial(grid, {.model = Model::frame});
   const BarSection& bar = grid.bars->lateral;
   EXPECT_NEAR(bar.stretching, 2 * 3 * 2, 1e-12);
@@ -71,13 +56,14 @@ TEST(ApplyMaterial, TakesBarsAFifthAsWideAsLong) {
 }
 
 TEST(ApplyMaterial, TakesEachSizeAsAsked) {
-  StrutGrid grid = stacked();
+  StrutGrid grid = stackedGridOfTwoLayers();
   applyMaterial(grid, {.model = Model::frame,
                        .barWidth = 0.2,
                        .barHeight = 0.4,
                        .postWidth = 0.1,
                        .jointRadius = 0.05});
-  const auto& [lateral, upright, printed] = *grid.bars;
+  const BarSection& lateral = grid.bars->lateral;
+  const BarSection& upright = grid.bars->upright;
   EXPECT_NEAR(lateral.bendingN / lateral.stretching, 0.2 * 0.2 / 12, 1e-12);
   EXPECT_NEAR(lateral.bendingB / lateral.stretching, 0.4 * 0.4 / 12, 1e-12);
   EXPECT_NEAR(upright.stretching / lateral.stretching, 0.1 * 0.1 / (0.2 * 0.4), 1e-12);
@@ -85,7 +71,7 @@ TEST(ApplyMaterial, TakesEachSizeAsAsked) {
 }
 
 TEST(ApplyMaterial, RefusesJointsThatLeaveNothingOfAStrut) {
-  StrutGrid grid = stacked();
+  StrutGrid grid = stackedGridOfTwoLayers();
   EXPECT_THAT(
       [&] { applyMaterial(grid, {.model = Model::frame, .jointRadius = 0.5}); },
       testing::ThrowsMessage<InputError>(HasSubstr(
@@ -93,7 +79,7 @@ TEST(ApplyMaterial, RefusesJointsThatLeaveNothingOfAStrut) {
 }
 
 TEST(AdviseOnBars, TellsOfBarsThatOverlapAndOfStockyOnes) {
-  StrutGrid grid = stacked();
+  StrutGrid grid = stackedGridOfTwoLayers();
   EXPECT_THAT(adviseOnBars(grid, {.model = Model::frame}), IsEmpty());
   EXPECT_THAT(adviseOnBars(grid, {.model = Model::frame, .barWidth = 0.8, .barHeight = 1.1}),
               ElementsAre(HasSubstr("lower material.bar_height or raise grid.layer_spacing"),

@@ -33,6 +33,7 @@ RunRecord sampleRecord() {
   record.symmetry = {Symmetry::mirrorAcrossV, 1e-6, 0.2};
   record.distance->spread = {3.5, 4.5, 4.75, 0.5, {2, 1, 0, 0, 0, 0, 0, 0, 0, 1}};
   record.shrink = ShrinkFigures{{31, 0, 2, 0, 0}, {{31, 0, 2, 0, 0}, {}}};
+  record.weight = {.newtons = 0.25, .sag = 1.75};
   record.feasibility = Feasibility{};
   return record;
 }

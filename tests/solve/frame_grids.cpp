@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <random>
+#include <utility>
 
 #include "tests/solve/sample_grids.h"
 
@@ -12,6 +13,19 @@ StrutGrid welded(StrutGrid grid, const BarSize& size) {
   const double modulus = 2 * grid.stiffness.u.front() * grid.spacing / area;
   const BarSection section = rectangularSection(size, modulus);
   grid.bars = Bars{section, section, grid.positions};
+  return grid;
+}
+
+StrutGrid weighedDown(StrutGrid grid, const Eigen::Vector3d& weightPerStiffness,
+                      std::vector<int> held) {
+  JointLoads loads{Eigen::Matrix3Xd::Zero(3, grid.shape.vertexCount()), std::move(held)};
+  forEachStrut(grid.shape, [&](const Strut& strut) {
+    const Eigen::Vector3d half = grid.bars->section(strut).stretching *
+                                 lengthAt(grid.bars->printed, strut) / 2 * weightPerStiffness;
+    loads.forces.col(strut.from) += half;
+    loads.forces.col(strut.to) += half;
+  });
+  grid.bars->loads = std::move(loads);
   return grid;
 }
 

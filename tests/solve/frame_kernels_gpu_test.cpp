@@ -23,7 +23,7 @@ constexpr BarSize kSlender{
 
 /// Kernels of a frame away from rest, beside the host's double precision.
 class FrameKernels : public DeviceTest,
-                     public testing::WithParamInterface<std::tuple<GridShape, BarSize>> {
+                     public testing::WithParamInterface<std::tuple<GridShape, BarSize, bool>> {
  protected:
   void SetUp() override { deviceGrid_.uploadPositions(place_.positions, place_.rotations); }
 
@@ -71,13 +71,20 @@ class FrameKernels : public DeviceTest,
       dense +=
           spread.transpose() * term.gaussNewton(ends) * spread / (grid_.spacing * grid_.spacing);
     });
+    JointTerm::forEach(grid_, [&](const JointTerm& term, int joint) {
+      dense.diagonal().segment<3>(3 * joint).array() += term.holding;
+      dense.diagonal().segment<3>(3 * (count() + joint)).array() +=
+          term.turning / (grid_.spacing * grid_.spacing);
+    });
     return dense;
   }
 
   static StrutGrid frame() {
     StrutGrid grid = bentGrid(std::get<GridShape>(GetParam()), 3);
     grid.spacing = 1.25;
-    return welded(grid, std::get<BarSize>(GetParam()));
+    grid = welded(grid, std::get<BarSize>(GetParam()));
+    const bool isLoaded = std::get<bool>(GetParam());
+    return isLoaded ? weighedDown(grid, {0.01, 0.02, -0.05}, {1, 2}) : grid;
   }
 
   StrutGrid grid_ = frame();
@@ -184,7 +191,7 @@ TEST_P(FrameKernels, RotationsComeBackFromTheDevice) {
 INSTANTIATE_TEST_SUITE_P(Shapes, FrameKernels,
                          testing::Combine(testing::Values(GridShape{4, 3, 2}, GridShape{2, 2, 1},
                                                           GridShape{11, 5, 3}),
-                                          testing::Values(kThick, kSlender)));
+                                          testing::Values(kThick, kSlender), testing::Bool()));
 
 }  // namespace
 }  // namespace morphgrid

@@ -4,6 +4,7 @@
 
 #include <numeric>
 
+#include "tests/solve/frame_grids.h"
 #include "tests/solve/sample_grids.h"
 
 namespace morphgrid {
@@ -85,6 +86,29 @@ TEST(NestedGrids, CornersMayWeighNothing) {
   const auto grids = nestGrids(grid);
   EXPECT_GT(grids.front().grid.weights.angle, 0.1);
   EXPECT_EQ(grids.back().grid.weights.angle, 0);
+}
+
+TEST(NestedGrids, CarryTheWeightAndHoldTheNearestJoint) {
+  const StrutGrid fine = weighedDown(welded(bentGrid(kShape, 3), {.width = 0.2, .height = 0.2}),
+                                     {1e-4, 0, -2e-4}, {kShape.index(20, 15, 0)});
+  const Eigen::Vector3d weight = fine.bars->loads->forces.rowwise().sum();
+  const auto grids = nestGrids(fine);
+  ASSERT_GT(grids.size(), 2u);
+  for (const NestedGrid& nested : grids) {
+    EXPECT_NO_THROW(validate(nested.grid));
+    const JointLoads& loads = *nested.grid.bars->loads;
+    const Eigen::Vector3d expected = nested.thickness * nested.thickness * weight;
+    EXPECT_LT((loads.forces.rowwise().sum() - expected).norm(), 1e-9 * expected.norm());
+    ASSERT_EQ(loads.held.size(), 1u);
+    const GridPlace held = nested.grid.shape.place(loads.held.front());
+    EXPECT_NEAR(double(held.i) / nested.grid.shape.cellsU(), 20.0 / 41, 0.1);
+    EXPECT_NEAR(double(held.j) / nested.grid.shape.cellsV(), 15.0 / 30, 0.1);
+    EXPECT_EQ(held.layer, 0);
+  }
+  const NestedGrid& coarse = grids[grids.size() - 2];
+  const Eigen::Matrix3Xd start = prolong(coarse, coarse.grid.positions, grids.back());
+  const int joint = fine.bars->loads->held.front();
+  EXPECT_LT((start.col(joint) - fine.bars->printed.col(joint)).norm(), 1e-9);
 }
 
 TEST(NestedGrids, ProlongationReproducesCubicsAndOffsets) {
