@@ -89,15 +89,12 @@ inline Floats strutFactor(Floats squaredLength, Floats rest, Floats stiffness) {
   return Floats::all(2) * stiffness * (Floats::all(1) - rest / length);
 }
 
-/// The loops below know no other constraints.
+/// What the loops below know.
 void requireStrutsAndCornersAlone(const StrutGrid& grid) {
-  for (const TermWeight& weight : kTermWeights) {
-    if (weight.value != &TermWeights::angle && grid.weights.*weight.value != 0) {
-      throw InputError(
-          fmt::format("the AVX2 sweep knows struts and corners only: the {} weight must be 0, got "
-                      "{}",
-                      weight.name, grid.weights.*weight.value));
-    }
+  if (mechanicsOf(grid) != Mechanics::springs || grid.weights.postAngle != grid.weights.angle) {
+    throw InputError(
+        "the AVX2 sweep knows springs and corners of one weight at right angles only; take "
+        "material.model = \"paper\"");
   }
 }
 
