@@ -1,10 +1,12 @@
 #pragma once
 #include <string>
-#include <vector>
 
-#include "grid/strut_grid.h"
+#include "benchmark/frame_reference.h"
 
 namespace morphgrid {
+
+/// name: of a file in tests/solve/frames.
+FrameReference loadSolveReference(const std::string& name);
 
 /// A frame, and where an independent solver in double precision says that it comes to rest:
 /// Newton's method on differentiated energies, see tests/solve/frames/README.md.
@@ -14,15 +16,7 @@ struct FrameOracle {
   Eigen::Matrix3Xd positions;  ///< 3 x vertexCount
 };
 
-/// name: of a file in tests/solve/frames. thickness: of its square bars, in mean lateral rest
-/// lengths; one of the file's.
+/// thickness: of its square bars, in mean lateral rest lengths; one of the file's.
 FrameOracle loadFrameOracle(const std::string& name, double thickness);
-
-/// RMS and largest distance of points to others once the first are aligned rigidly, in percent of
-/// the others' box's diagonal.
-struct Mismatch {
-  double rms, largest;
-};
-Mismatch mismatchOf(const Eigen::Matrix3Xd& points, const Eigen::Matrix3Xd& others);
 
 }  // namespace morphgrid

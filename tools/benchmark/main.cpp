@@ -11,6 +11,7 @@
 #include "benchmark/robustness.h"
 #include "benchmark/solve_benchmark.h"
 #include "benchmark/sweep_benchmark.h"
+#include "benchmark/validation.h"
 #include "core/error.h"
 #include "core/interrupt.h"
 
@@ -40,6 +41,7 @@ int runBenchmark(std::vector<std::string> arguments) {
   addRayBenchmark(app);
   addRobustnessTable(app);
   addFidelityTable(app);
+  addValidation(app);
   std::reverse(arguments.begin(), arguments.end());  // As CLI11 takes them.
   try {
     app.parse(arguments);
