@@ -179,6 +179,23 @@ TEST_F(ViewerWindow, TurnsAKnobSavesTheSceneAndUndoes) {
   EXPECT_THAT(saved.str(), HasSubstr("layers = 4"));
 }
 
+// There is no target and no conformal sheet: their colourings are left out.
+TEST_F(ViewerWindow, ColorsAFrameByEachFigureThatItHas) {
+  const auto viewer = start({"--set", "material.model=frame"});
+  focus("^Dome, warped: at rest");
+  desktop_.press("s");  // Lines, which look the same however long frames take.
+  const Image strain = stillShot();
+  Image last = strain;
+  for (const char* next : {"shrink", "layer", "bending strain", "joint rotation"}) {
+    desktop_.press("c");
+    EXPECT_TRUE(awaitPicture([&](double difference) { return difference > kOther; }, last)) << next;
+    last = stillShot();
+  }
+  desktop_.press("c");
+  EXPECT_TRUE(awaitPicture([&](double difference) { return difference < kOther; }, strain));
+  expectQuit(*viewer);
+}
+
 TEST_F(ViewerWindow, ClosesWhileItSolves) {
   const auto viewer = start({"--set", "grid.nodes_u=60", "--set", "grid.nodes_v=60"});
   focus("^Dome, .*: (in plane|full)");
