@@ -42,7 +42,7 @@ struct JointModel {
   double radius;    ///< Of their rigid part, in widths of bars.
   bool isShearing;  ///< Whether bars shear (Timoshenko).
 };
-/// That of scenes, see weld().
+/// That of scenes, see applyMaterial().
 constexpr JointModel kSceneJoint{.radius = 0.25, .isShearing = false};
 /// Bars that reach to the joints' centres.
 constexpr JointModel kPointJoint{.radius = 0, .isShearing = true};
