@@ -10,6 +10,7 @@
 #include "core/error.h"
 #include "core/read_file.h"
 #include "core/rigid_alignment.h"
+#include "design/material.h"
 #include "grid/bar_section.h"
 
 namespace morphgrid {
@@ -103,6 +104,11 @@ StrutGrid asFrame(StrutGrid grid, double width, double poisson, const JointModel
                                                  .isShearing = joint.isShearing},
                                                 1 / (width * width));
   grid.bars = Bars{section, section, grid.positions};
+  return grid;
+}
+
+StrutGrid asSpringsForBars(StrutGrid grid, double width) {
+  applyMaterial(grid, {.model = Model::bars, .barWidth = width});
   return grid;
 }
 

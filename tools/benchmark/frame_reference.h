@@ -50,6 +50,9 @@ constexpr JointModel kPointJoint{.radius = 0, .isShearing = true};
 /// The grid with its struts as square bars, printed where it starts; E width^2 = 1.
 StrutGrid asFrame(StrutGrid grid, double width, double poisson, const JointModel& joint);
 
+/// The grid with springs that stand for square bars (Model::bars), printed where it starts.
+StrutGrid asSpringsForBars(StrutGrid grid, double width);
+
 /// RMS and largest distance of points to others once the first are aligned rigidly, in percent of
 /// the others' box's diagonal.
 struct Mismatch {
