@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "benchmark/fidelity.h"
+#include "benchmark/frame_benchmark.h"
 #include "benchmark/machine_benchmark.h"
 #include "benchmark/profile_benchmark.h"
 #include "benchmark/ray_benchmark.h"
@@ -36,6 +37,7 @@ int runBenchmark(std::vector<std::string> arguments) {
   app.require_subcommand(0, 1);
   addSolveBenchmark(app);
   addProfileBenchmark(app);
+  addFrameBenchmark(app);
   addMachineBenchmark(app);
   addSweepBenchmark(app);
   addRayBenchmark(app);

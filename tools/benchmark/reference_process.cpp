@@ -13,6 +13,7 @@
 #include <system_error>
 
 #include "benchmark/solve_run.h"
+#include "solve/frame_solver.h"
 #include "solve/reference_solver.h"
 
 namespace morphgrid {
@@ -55,7 +56,8 @@ void limitMemory() {
   try {
     SolveOptions options;
     options.onProgress = send;
-    const Equilibrium result = solveReference(grid, options);
+    const Equilibrium result =
+        grid.bars ? solveFrame(grid, options) : solveReference(grid, options);
     send({result.iterations, result.energy, result.residual, result.seconds});
     code = result.converged ? kConverged : static_cast<int>(result.reason);
   } catch (const std::bad_alloc&) {

@@ -13,26 +13,12 @@ SolveRun run(const Device& device, const StrutGrid& grid, const std::string& met
   return method == "jacobi" ? runJacobi(device, grid, limit) : runReference(grid, limit);
 }
 
-std::vector<MethodRuns> takeTurns(const Device& device, const StrutGrid& grid,
-                                  const std::vector<std::string>& methods,
-                                  const ComparisonOptions& options) {
-  std::vector<MethodRuns> all;
+std::vector<Entrant> entrantsOf(const StrutGrid& grid, const std::vector<std::string>& methods) {
+  std::vector<Entrant> entrants;
   for (const std::string& method : methods) {
-    all.push_back({method, {}});
+    entrants.push_back({method, method, grid});
   }
-  for (int round = 0; round < options.rounds; ++round) {
-    for (MethodRuns& one : all) {
-      double spent = 0;
-      for (const SolveRun& earlier : one.runs) {
-        spent += earlier.cost.wall;
-      }
-      if (spent < options.seconds) {
-        one.runs.push_back(run(device, grid, one.method, options.peerLimit));
-        one.runs.back().positions.resize(3, 0);
-      }
-    }
-  }
-  return all;
+  return entrants;
 }
 
 template <typename Figure>
@@ -95,14 +81,36 @@ const MethodRuns* Comparison::find(const std::string& method) const {
   return found == full.end() ? nullptr : &*found;
 }
 
+std::vector<MethodRuns> takeTurns(const Device& device, const std::vector<Entrant>& entrants,
+                                  const ComparisonOptions& options) {
+  std::vector<MethodRuns> all;
+  for (const Entrant& entrant : entrants) {
+    all.push_back({entrant.name, {}});
+  }
+  for (int round = 0; round < options.rounds; ++round) {
+    for (std::size_t n = 0; n < entrants.size(); ++n) {
+      double spent = 0;
+      for (const SolveRun& earlier : all[n].runs) {
+        spent += earlier.cost.wall;
+      }
+      if (spent < options.seconds) {
+        all[n].runs.push_back(run(device, entrants[n].grid, entrants[n].method, options.peerLimit));
+        all[n].runs.back().positions.resize(3, 0);
+      }
+    }
+  }
+  return all;
+}
+
 Comparison compareMethods(const Device& device, const Problem& problem,
                           const ComparisonOptions& options) {
   const StrutGrid inPlane = problem.inPlane();
   const StrutGrid stacked = problem.stacked(runMultigrid(device, inPlane).positions);
   std::vector<std::string> inPlaneMethods = options.methods;
   std::erase(inPlaneMethods, "jacobi");
-  return {problem.name, stacked.shape, takeTurns(device, inPlane, inPlaneMethods, options),
-          takeTurns(device, stacked, options.methods, options)};
+  return {problem.name, stacked.shape,
+          takeTurns(device, entrantsOf(inPlane, inPlaneMethods), options),
+          takeTurns(device, entrantsOf(stacked, options.methods), options)};
 }
 
 }  // namespace morphgrid

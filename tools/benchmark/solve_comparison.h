@@ -16,7 +16,7 @@ struct ComparisonOptions {
 
 /// The solves of one method, all of the same problem.
 struct MethodRuns {
-  std::string method;
+  std::string method;  ///< Or the entrant's name.
   std::vector<SolveRun> runs;
 
   bool converged() const;
@@ -26,6 +26,18 @@ struct MethodRuns {
   /// To within kEnergyError of the least energy that is known; empty when a run does not get there.
   std::optional<Arrival> arrival(double leastEnergy) const;
 };
+
+/// One that takes its turn: a method on a grid, which must outlive it.
+struct Entrant {
+  std::string name;
+  std::string method;  ///< multigrid, reference or jacobi
+  const StrutGrid& grid;
+};
+
+/// Solves of each entrant, which take turns so that a noisy neighbour meets all. Positions are
+/// dropped. Throws DeviceError when the device fails.
+std::vector<MethodRuns> takeTurns(const Device& device, const std::vector<Entrant>& entrants,
+                                  const ComparisonOptions& options);
 
 /// Relative.
 constexpr double kEnergyError = 1e-6;
@@ -40,8 +52,7 @@ struct Comparison {
   const MethodRuns* find(const std::string& method) const;  ///< In `full`; null when not run.
 };
 
-/// Solves both stages by all methods, which take turns so that a noisy neighbour meets all. Throws
-/// DeviceError when the device fails.
+/// Solves both stages by all methods, which take turns. Throws DeviceError when the device fails.
 Comparison compareMethods(const Device& device, const Problem& problem,
                           const ComparisonOptions& options);
 

@@ -33,8 +33,8 @@ std::optional<Arrival> arrivalAt(const SolveRun& run, double energy);
 SolveRun runMultigrid(const Device& device, const StrutGrid& grid);
 SolveRun runJacobi(const Device& device, const StrutGrid& grid, double limit);
 
-/// The peer on the CPU: in a process of its own, which may run out of memory and is killed after
-/// `limit` seconds, wherever it is.
+/// The peer on the CPU, solveReference() or, of frames, solveFrame(): in a process of its own,
+/// which may run out of memory and is killed after `limit` seconds, wherever it is.
 SolveRun runReference(const StrutGrid& grid, double limit);
 
 }  // namespace morphgrid
