@@ -19,6 +19,7 @@ struct FrameCost {
 };
 constexpr FrameCost kPlainCost{0.007, {0.4e-6, 1e-6, 2.7e-6}};  // One sample.
 constexpr FrameCost kSmoothCost{0.018, {0.5e-6, 2e-6, 6e-6}};   // Four samples.
+constexpr double kBarOverTube = 2;                              // What a bar costs of a tube.
 // Share of a level's cost: a coarser level that costs more than that is left out.
 constexpr double kWorthwhile = 0.9;
 constexpr int kFewestLines = 8;   // Each way.
@@ -51,8 +52,9 @@ std::vector<Detail> candidates(const GridShape& shape, std::optional<StrutStyle>
 
 }  // namespace
 
-void DetailGovernor::begin(const GridShape& shape) {
+void DetailGovernor::begin(const GridShape& shape, bool isFrame) {
   shape_ = shape;
+  isFrame_ = isFrame;
   restart();
 }
 
@@ -82,8 +84,9 @@ std::vector<Detail> DetailGovernor::listLevels() const {
 
 double DetailGovernor::cost(const Detail& detail) const {
   const FrameCost& frame = detail.samples > 1 ? kSmoothCost : kPlainCost;
-  return frame.withoutStruts +
-         frame.strut[static_cast<std::size_t>(detail.style)] * strutsDrawn(shape_, detail.stride);
+  const double relative = isFrame_ && detail.style == StrutStyle::tubes ? kBarOverTube : 1;
+  return frame.withoutStruts + relative * frame.strut[static_cast<std::size_t>(detail.style)] *
+                                   strutsDrawn(shape_, detail.stride);
 }
 
 std::size_t DetailGovernor::finestWithin(double seconds) const {

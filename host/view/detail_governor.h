@@ -21,8 +21,8 @@ class DetailGovernor {
  public:
   explicit DetailGovernor(const GridShape& shape) { begin(shape); }
 
-  /// Another grid.
-  void begin(const GridShape& shape);
+  /// Another grid. isFrame: its tubes are bars.
+  void begin(const GridShape& shape, bool isFrame = false);
   /// Keeps to a style, though frames be late; none: to no style.
   void keepTo(std::optional<StrutStyle> style);
 
@@ -41,6 +41,7 @@ class DetailGovernor {
   std::size_t finestWithin(double seconds) const;
 
   GridShape shape_{};
+  bool isFrame_ = false;
   std::optional<StrutStyle> style_;
   std::vector<Detail> levels_;  ///< From the finest to the coarsest, at least one.
   std::size_t level_ = 0;

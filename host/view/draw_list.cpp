@@ -7,10 +7,11 @@ constexpr int kLiveQuads = 2000;  // About so many a surface.
 
 }  // namespace
 
-void DrawList::govern(const GridShape& shape) {
-  if (!(shape == governed_)) {
-    governed_ = shape;
-    governor_.begin(shape);
+void DrawList::govern(const DeviceGrid& grid) {
+  if (!(grid.shape() == governed_) || grid.isFrame() != governsFrame_) {
+    governed_ = grid.shape();
+    governsFrame_ = grid.isFrame();
+    governor_.begin(governed_, governsFrame_);
   }
 }
 
@@ -36,7 +37,7 @@ void DrawList::collect(const Snapshot& snapshot, const ViewState& state, bool is
   const auto& shown = gridOf(stage, snapshot);
   const bool isThere = shown && shown->onDevice;
   if (isThere) {
-    govern(shown->onDevice->shape());
+    govern(*shown->onDevice);
   }
   governor_.keepTo(state.strutStyle);
   pictureStyle_ =

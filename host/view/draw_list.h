@@ -26,12 +26,13 @@ class DrawList {
   const std::optional<Legend>& legend() const { return legend_; }
 
  private:
-  void govern(const GridShape& shape);
+  void govern(const DeviceGrid& grid);
   void addGrid(const ShownGrid& shown, const Detail& detail, const Snapshot& snapshot,
                const ViewState& state);
 
   ColorCache colors_;
   GridShape governed_{2, 2, 1};
+  bool governsFrame_ = false;
   DetailGovernor governor_{governed_};
   std::vector<DrawnGrid> grids_;
   std::shared_ptr<const MeshSampling> sampling_;

@@ -26,6 +26,14 @@ TEST(DetailGovernor, DrawsThousandsOfStrutsAsRibbonsAndThemAsTubesWhereTheyStay)
   EXPECT_EQ(governor.still(), kFinest);
 }
 
+TEST(DetailGovernor, KnowsThatBarsTakeLongerThanTubes) {
+  DetailGovernor governor(kSmall);
+  governor.begin({11, 11, 3});
+  EXPECT_EQ(governor.detail(), kFinest);
+  governor.begin({11, 11, 3}, /*isFrame=*/true);
+  EXPECT_EQ(governor.detail().style, StrutStyle::ribbons);
+}
+
 TEST(DetailGovernor, DrawsAMillionStrutsAsFewLines) {
   const Detail detail = DetailGovernor(kHuge).detail();
   EXPECT_EQ(detail.style, StrutStyle::lines);
