@@ -42,7 +42,7 @@ CupGrids cupGrids(const Device& device, int nodes) {
                       [&](const Strut& strut) { sum += valueAt(springs.rest, strut); });
   const double width = kSlenderness * sum / springs.shape.lateralStrutCount();
   CupGrids grids{springs, springs};
-  weld(grids.frame, {.model = Model::frame, .barWidth = width});
+  applyMaterial(grids.frame, {.model = Model::frame, .barWidth = width});
   return grids;
 }
 
