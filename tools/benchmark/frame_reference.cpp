@@ -41,7 +41,7 @@ StrutGrid flatGrid(const nlohmann::json& file) {
 
 FrameReference::Answer answerOf(const nlohmann::json& json, int vertexCount) {
   const auto values = json.at("positions").get<std::vector<double>>();
-  if (values.size() != static_cast<std::size_t>(3 * vertexCount)) {
+  if (values.size() != 3 * static_cast<std::size_t>(vertexCount)) {
     throw InputError(fmt::format("{} coordinates for {} joints", values.size(), vertexCount));
   }
   FrameReference::Answer answer{json.at("thickness"), std::nullopt,
