@@ -152,7 +152,7 @@ JointRotations readRotations(const ArrayReader& reader, const GridShape& shape) 
   }
   const std::vector<double> values =
       reader.numbers("joint_rotations", StateShapes(shape).rotations());
-  const JointRotations rotations =
+  JointRotations rotations =
       Eigen::Map<const JointRotations>(values.data(), 4, shape.vertexCount());
   reader.require(((rotations.colwise().norm().array() - 1).abs() < kRotationTolerance).all());
   return rotations;
