@@ -112,8 +112,13 @@ SceneKeySection materialKeys() {
                .meaning =
                    "Joints that are held where and as they were printed: the one in the middle of "
                    "the bottom layer, its corners, its rim, or `[i, j, k]` along u, v and up, from "
-                   "0. Joints that are held apart do not come closer when the grid shrinks. Only "
-                   "for `\"frame\"`, as all that follows."},
+                   "0. Only for `\"frame\"`, as all that follows."},
+              {.name = "slide",
+               .value = booleanKey(at(&Scene::material, &Material::slide)),
+               .meaning = "Whether supports keep the height of joints alone, which slide and turn, "
+                          "as those of a grid that stands on smooth ground; needs three that are "
+                          "not in line. Else joints that are held apart do not come closer when "
+                          "the grid shrinks."},
               {.name = "gravity",
                .value = CustomKey<Scene>{readGravity, "3 numbers, m/s^2", "any"},
                .meaning = "Makes bars weigh; z is up as printed, so `[0, 0, -9.81]` on a grid that "

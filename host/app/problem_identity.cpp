@@ -36,6 +36,7 @@ void addGrid(Digest& digest, const StrutGrid& grid) {
     if (const auto& loads = grid.bars->loads) {
       digest.addList(allOf(loads->forces));
       for (const int joint : loads->held) digest.add(std::int64_t{joint});
+      digest.add(std::int64_t{loads->slide});
     }
   }
   if (grid.printedCorners) digest.addList(allOf(*grid.printedCorners));
@@ -50,14 +51,16 @@ std::string describeWeight(const MaterialRequest& material) {
                      *material.modulus, material.unit);
 }
 
-std::string describeSupports(const std::vector<Support>& supports) {
+std::string describeSupports(const MaterialRequest& material) {
   std::vector<std::string> texts;
-  for (const Support& support : supports) {
+  for (const Support& support : material.supports) {
     const auto* place = std::get_if<SupportPlace>(&support);
     texts.push_back(place ? kSupportWords[static_cast<std::size_t>(*place)]
                           : fmt::format("[{}]", fmt::join(std::get<1>(support), ", ")));
   }
-  return texts.empty() ? "none" : fmt::format("{}", fmt::join(texts, ", "));
+  return texts.empty()
+             ? "none"
+             : fmt::format("{}{}", fmt::join(texts, ", "), material.slide ? ", slide" : "");
 }
 
 std::string describe(const Weights& weights) {
@@ -103,7 +106,7 @@ ProblemIdentity identifyProblem(const Scene& scene, const SceneDesign& designed)
           {"scaling", nameOf(scene.scaling)},
           {"model", nameOf(scene.material.model)},
           {"weight", describeWeight(scene.material)},
-          {"supports", describeSupports(scene.material.supports)},
+          {"supports", describeSupports(scene.material)},
           {"method", nameOf(scene.method)},
           {"curvature cutoff", fmt::format("{}", request.curvatureCutoff)},
           {"net", nameOf(request.net)},

@@ -10,7 +10,7 @@ namespace morphgrid {
 /// outputs are not among it: they may change on the way.
 struct ProblemIdentity {
   /// Digest of all numbers that the run solves with: its grids (shape, spacing, printed positions,
-  /// rest lengths, stiffnesses, angle weight), method, targets and bounds of inverse design.
+  /// rest lengths, stiffnesses, angle weight, loads), method, targets and bounds of inverse design.
   std::string digest;
   /// Some of what leads to them, by names for people: to tell what differs.
   std::map<std::string, std::string> settings;

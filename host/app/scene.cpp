@@ -131,7 +131,15 @@ class SceneReader {
           "the key out";
       if (material.gravity) report("gravity", kNeedsFrame);
       if (!material.supports.empty()) report("supports", kNeedsFrame);
-    } else if (material.gravity) {
+      return;
+    }
+    if (material.slide && material.supports.empty()) {
+      report("slide", "material.supports that slide");
+    }
+    if (material.gravity) {
+      if (material.slide && ((*material.gravity)[0] != 0 || (*material.gravity)[1] != 0)) {
+        report("slide", "material.gravity along z: else the grid slides away");
+      }
       if (!material.density) report("gravity", "material.density, in kg/m^3");
       if (!material.modulus) report("gravity", "material.modulus, in Pa");
       if (material.supports.empty()) {

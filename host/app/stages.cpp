@@ -201,8 +201,8 @@ std::optional<WeightFigures> Stages::assessWeight(const Stage& stage) {
       stage.solver->moveTo(stage.equilibrium.positions, stage.equilibrium.rotations);
       const Adjoint answer = stage.solver->solveAdjoint(stage.grid.bars->loads->forces);
       if (answer.converged) {
-        const auto displacements = answer.lambda.leftCols(stage.grid.shape.vertexCount());
-        figures.sag = displacements.colwise().norm().maxCoeff();
+        const int count = stage.grid.shape.vertexCount();
+        figures.sag = answer.lambda.leftCols(count).colwise().norm().maxCoeff();
       }
     });
   }

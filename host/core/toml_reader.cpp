@@ -22,12 +22,13 @@ TomlReader::TomlReader(const std::filesystem::path& file, toml::table document)
 TomlSection TomlReader::root() { return {*this, "", &document_, false}; }
 
 TomlSection TomlReader::section(const std::string& name) {
-  if (std::find(sections_.begin(), sections_.end(), name) == sections_.end()) {
+  const bool isFirst = std::find(sections_.begin(), sections_.end(), name) == sections_.end();
+  if (isFirst) {
     sections_.push_back(name);
   }
   const toml::node* node = document_.get(name);
   const toml::table* table = node ? node->as_table() : nullptr;
-  if (node && !table) reportUnfit(name, *node, "a table");
+  if (node && !table && isFirst) reportUnfit(name, *node, "a table");
   return {*this, name, table, node && !table};
 }
 

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -10,6 +11,8 @@
 
 namespace morphgrid {
 namespace {
+
+constexpr double kInLine = 1e-6;
 
 /// A bar's weight over its EA and its printed length: then neither the solver's unit of force nor
 /// the cross-section matters. In the scene's unit of length^-1.
@@ -76,6 +79,20 @@ class SupportedJoints {
   std::vector<int> joints_;
 };
 
+/// supports: 3 x n, as printed.
+void requireThatItStands(const Eigen::Matrix3Xd& supports) {
+  const Eigen::Matrix2Xd offsets =
+      supports.topRows<2>().colwise() - supports.topRows<2>().rowwise().mean();
+  const Eigen::Matrix2d spread = offsets * offsets.transpose();
+  const Eigen::Vector2d extents =
+      Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(spread).eigenvalues();
+  if (extents[0] <= kInLine * kInLine * extents[1]) {
+    throw InputError(
+        "material.slide needs three material.supports that are not in line: on fewer the grid "
+        "tips over");
+  }
+}
+
 }  // namespace
 
 std::optional<JointLoads> jointLoads(const StrutGrid& welded, const MaterialRequest& material) {
@@ -86,7 +103,17 @@ std::optional<JointLoads> jointLoads(const StrutGrid& welded, const MaterialRequ
   for (const Support& support : material.supports) {
     std::visit(joints, support);
   }
-  return JointLoads{weightsOfBars(welded, material), std::move(joints).sorted()};
+  JointLoads loads{weightsOfBars(welded, material), std::move(joints).sorted(), material.slide};
+  if (loads.slide) {
+    requireThatItStands(welded.bars->printed(Eigen::all, loads.held));
+  }
+  return loads;
+}
+
+bool holdApart(const JointLoads& loads, const GridShape& shape) {
+  return !loads.slide && std::any_of(loads.held.begin(), loads.held.end(), [&](int joint) {
+    return shape.column(joint) != shape.column(loads.held.front());
+  });
 }
 
 double weightInNewtons(const StrutGrid& loaded, const MaterialRequest& material) {

@@ -12,6 +12,9 @@ namespace morphgrid {
 /// the grid.
 std::optional<JointLoads> jointLoads(const StrutGrid& welded, const MaterialRequest& material);
 
+/// Whether they hold columns of joints apart, between which a grid cannot shrink.
+bool holdApart(const JointLoads& loads, const GridShape& shape);
+
 /// What all bars of a grid with such loads weigh together, less what the fluid carries, in N.
 double weightInNewtons(const StrutGrid& loaded, const MaterialRequest& material);
 

@@ -131,6 +131,11 @@ std::vector<std::string> adviseOnBars(const StrutGrid& grid, const MaterialReque
         "beams: lower material.bar_width or grid.nodes_long",
         width, shortest));
   }
+  if (grid.bars && grid.bars->loads && holdApart(*grid.bars->loads, grid.shape)) {
+    notices.emplace_back(
+        "material.supports hold joints apart, between which the grid cannot shrink: hold one, or "
+        "set material.slide");
+  }
   return notices;
 }
 

@@ -45,6 +45,7 @@ struct MaterialRequest {
   std::optional<double> modulus;                 ///< Young's, of bars that morph; Pa, > 0
   double unit = 1e-3;                            ///< The scene's unit of length, m, > 0
   std::vector<Support> supports;
+  bool slide = false;  ///< Whether they keep the height of joints alone.
 
   bool operator==(const MaterialRequest&) const = default;
 };

@@ -94,7 +94,7 @@ Eigen::SparseMatrix<double> FrameEnergy::hessian(const Matrix3Xd& positions,
   JointTerm::forEach(grid_, [&](const JointTerm& term, int joint) {
     const Eigen::Matrix3d exact = term.momentByTurn(place.rotationOf(joint));
     for (int column = 0; column < 3; ++column) {
-      entries.emplace_back(6 * joint + column, 6 * joint + column, term.holding);
+      entries.emplace_back(6 * joint + column, 6 * joint + column, term.holding[column]);
       for (int row = column; row < 3; ++row) {
         entries.emplace_back(6 * joint + 3 + row, 6 * joint + 3 + column,
                              (exact(row, column) + exact(column, row)) / 2);
@@ -116,7 +116,7 @@ Matrix3Xd FrameEnergy::hessianProduct(const Matrix3Xd& positions, const JointRot
   });
   JointTerm::forEach(grid_, [&](const JointTerm& term, int joint) {
     const Eigen::Index turn = positions.cols() + joint;
-    result.col(joint) += term.holding * motion.col(joint);
+    result.col(joint) += term.holding.cwiseProduct(motion.col(joint));
     result.col(turn) += term.momentByTurn(place.rotationOf(joint)) * motion.col(turn);
   });
   return result;

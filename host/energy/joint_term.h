@@ -9,8 +9,8 @@ namespace morphgrid {
 
 /// What acts on a joint of a frame from outside (docs/method.md, Weight and supports): a force f
 /// that keeps its direction, and where the joint is held, springs to where and as it was printed,
-/// `-f . u + holding |u|^2 / 2 + 2 turning |v|^2`. u: its displacement since it was printed; v: the
-/// vector of its rotation's quaternion, the sine of half the angle.
+/// `-f . u + sum of holding u^2 / 2 + 2 turning |v|^2`. u: its displacement since it was printed;
+/// v: the vector of its rotation's quaternion, the sine of half the angle.
 struct JointTerm {
   // Of a held joint's springs over what a lateral bar of the grid's spacing has: that much less
   // does it give way. More would only leave less of the digits of positions and rotations.
@@ -24,16 +24,19 @@ struct JointTerm {
 
   Eigen::Vector3d printed;
   Eigen::Vector3d load = Eigen::Vector3d::Zero();
-  double holding = 0;  ///< 0: free
+  Eigen::Vector3d holding = Eigen::Vector3d::Zero();  ///< Along x, y, z; 0: free
   double turning = 0;
 
-  /// Of a joint that is held, in a grid which has bars.
-  static double holdingOf(const StrutGrid& grid) {
-    return kHolding * grid.bars->lateral.stretching / grid.spacing;
+  /// Of a joint that is held, in a grid which has loads.
+  static Eigen::Vector3d holdingOf(const StrutGrid& grid) {
+    const double height = kHolding * grid.bars->lateral.stretching / grid.spacing;
+    const double aside = grid.bars->loads->slide ? 0 : height;
+    return {aside, aside, height};
   }
   static double turningOf(const StrutGrid& grid) {
     const BarSection& bar = grid.bars->lateral;
-    return kTurning * std::max(bar.bendingN, bar.bendingB) / grid.spacing;
+    return grid.bars->loads->slide ? 0
+                                   : kTurning * std::max(bar.bendingN, bar.bendingB) / grid.spacing;
   }
 
   /// visit(term, joint) for all of a grid which has bars: first the loads, then what holds joints.
@@ -57,9 +60,9 @@ struct JointTerm {
 
   Value evaluate(const Eigen::Vector3d& position, const Eigen::Quaterniond& rotation) const {
     const Eigen::Vector3d moved = position - printed;
-    return {holding / 2 * moved.squaredNorm() + 2 * turning * rotation.vec().squaredNorm() -
-                load.dot(moved),
-            holding * moved - load, 2 * turning * rotation.w() * rotation.vec()};
+    const Eigen::Vector3d force = holding.cwiseProduct(moved);
+    return {force.dot(moved) / 2 + 2 * turning * rotation.vec().squaredNorm() - load.dot(moved),
+            force - load, 2 * turning * rotation.w() * rotation.vec()};
   }
 
   /// How the moment changes with the joint's turn, exactly: symmetric where there is none.

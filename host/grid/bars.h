@@ -22,6 +22,7 @@ struct BarSection {
 struct JointLoads {
   Eigen::Matrix3Xd forces;  ///< 3 x vertexCount, stiffness x length; they keep their direction.
   std::vector<int> held;    ///< Joints that stay where and as they were printed, at least one.
+  bool slide = false;       ///< They keep their height z alone: three at least, not in line.
 };
 
 /// The struts of a grid as bars that are welded to their joints, at the angles at which they were

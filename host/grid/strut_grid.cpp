@@ -139,6 +139,13 @@ void validate(const StrutGrid& grid) {
   }
 }
 
+std::vector<int> freeMotions(const StrutGrid& grid) {
+  if (!grid.bars || !grid.bars->loads) {
+    return {0, 1, 2, 3, 4, 5};
+  }
+  return grid.bars->loads->slide ? std::vector{0, 1, 5} : std::vector<int>{};
+}
+
 StrutGrid layerAtRest(const GridShape& shape, double spacing, const Eigen::Matrix3Xd& points) {
   const GridShape layer = shape.layer();
   StrutGrid grid{layer, spacing, points, StrutValues(layer), StrutValues(layer), {}};

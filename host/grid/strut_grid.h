@@ -62,6 +62,9 @@ auto layerOf(const GridShape& shape, Matrix& vertices, int k) {
   return vertices.middleCols(shape.index(0, k), shape.layerVertexCount());
 }
 
+/// The rigid motions that nothing holds: along x, y, z are 0 to 2, about them 3 to 5.
+std::vector<int> freeMotions(const StrutGrid& grid);
+
 /// Throws InputError when sizes do not fit together, a number is not finite, a rest length or
 /// stiffness of a strut is not positive, or neighbours start at the same place.
 void validate(const StrutGrid& grid);

@@ -91,7 +91,7 @@ CoarseLevels::CoarseLevels(const Device& device, const DeviceGrid& grid, const B
                            const Buffer& residual, const Buffer& correction)
     : device_(device),
       resolution_(grid.resolution()),
-      isHeld_(grid.isLoaded()),
+      freeMotions_(grid.freeMotions()),
       stream_(device),
       kernels_(device) {
   createLevels(grid);
@@ -148,7 +148,7 @@ void CoarseLevels::build(double damping) {
 void CoarseLevels::invertCoarsest() {
   upload(device_, coarsestInverse_->buffer(),
          packInverse(computeCoarsestInverse(coarsestMatrix(), coarsestCentres(),
-                                            levels_.back()->points().u, isHeld_)));
+                                            levels_.back()->points().u, freeMotions_)));
 }
 
 Eigen::MatrixXd CoarseLevels::coarsestMatrix() const {

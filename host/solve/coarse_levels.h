@@ -46,7 +46,7 @@ class CoarseLevels {
 
   const Device& device_;
   double resolution_;
-  bool isHeld_;
+  std::vector<int> freeMotions_;
   CommandStream stream_;
   PointKernels kernels_;
   std::vector<std::unique_ptr<const PointLevel>> levels_;

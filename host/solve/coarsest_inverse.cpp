@@ -90,22 +90,22 @@ std::optional<MatrixXd> invertBlockTridiagonal(const MatrixXd& matrix, Eigen::In
   return inverse;
 }
 
-MatrixXd orthonormalRigidMotions(const Eigen::Matrix3Xd& centres) {
+MatrixXd orthonormalRigidMotions(const Eigen::Matrix3Xd& centres, const std::vector<int>& motions) {
   const Vector3d middle = centres.rowwise().mean();
-  MatrixXd motions = MatrixXd::Zero(6 * centres.cols(), 6);
+  MatrixXd all = MatrixXd::Zero(6 * centres.cols(), 6);
   for (Eigen::Index n = 0; n < centres.cols(); ++n) {
-    motions.block<3, 3>(6 * n, 0).setIdentity();
-    motions.block<3, 3>(6 * n + 3, 3).setIdentity();
+    all.block<3, 3>(6 * n, 0).setIdentity();
+    all.block<3, 3>(6 * n + 3, 3).setIdentity();
     for (int axis = 0; axis < 3; ++axis) {
-      motions.block<3, 1>(6 * n, 3 + axis) = Vector3d::Unit(axis).cross(centres.col(n) - middle);
+      all.block<3, 1>(6 * n, 3 + axis) = Vector3d::Unit(axis).cross(centres.col(n) - middle);
     }
   }
-  return Eigen::HouseholderQR<MatrixXd>(motions).householderQ() *
-         MatrixXd::Identity(motions.rows(), 6);
+  return Eigen::HouseholderQR<MatrixXd>(all(Eigen::all, motions)).householderQ() *
+         MatrixXd::Identity(all.rows(), static_cast<Eigen::Index>(motions.size()));
 }
 
 MatrixXd computeCoarsestInverse(const MatrixXd& matrix, const Eigen::Matrix3Xd& centres,
-                                Eigen::Index pointsPerRow, bool isHeld) {
+                                Eigen::Index pointsPerRow, const std::vector<int>& free) {
   if (!matrix.allFinite()) {
     throw DeviceError("the multigrid solver's coarsest matrix is not finite");
   }
@@ -117,15 +117,15 @@ MatrixXd computeCoarsestInverse(const MatrixXd& matrix, const Eigen::Matrix3Xd& 
   // Rigid motions would couple all rows: a point that is held takes their place until the inverse
   // is there.
   const Eigen::Index heldPoint = 6 * (centres.cols() / 2);
-  if (!isHeld) {
+  if (!free.empty()) {
     held.block<6, 6>(heldPoint, heldPoint).diagonal().array() += stiffness;
   }
   for (double shift = kLeastShift;; shift *= 10) {
     MatrixXd shifted = held;
     shifted.diagonal() += shift * held.diagonal();
     if (auto inverse = invertBlockTridiagonal(shifted, 6 * pointsPerRow)) {
-      if (!isHeld) {
-        exchangeStiffness(*inverse, heldPoint, orthonormalRigidMotions(centres), stiffness);
+      if (!free.empty()) {
+        exchangeStiffness(*inverse, heldPoint, orthonormalRigidMotions(centres, free), stiffness);
       }
       return std::move(*inverse);
     }

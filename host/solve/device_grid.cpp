@@ -121,13 +121,16 @@ std::optional<DeviceFrame> frameOf(const StrutGrid& grid) {
   }
   const BarSection& lateral = grid.bars->lateral;
   const BarSection& upright = grid.bars->upright;
-  return DeviceFrame{
-      onDevice(lateral, grid.spacing),
-      onDevice(upright, grid.spacing),
-      static_cast<float>(lateral.joint / grid.spacing),
-      static_cast<float>(upright.joint / grid.spacing),
-      static_cast<float>(JointTerm::holdingOf(grid)),
-      static_cast<float>(JointTerm::turningOf(grid) / (grid.spacing * grid.spacing))};
+  DeviceFrame frame{onDevice(lateral, grid.spacing), onDevice(upright, grid.spacing),
+                    static_cast<float>(lateral.joint / grid.spacing),
+                    static_cast<float>(upright.joint / grid.spacing)};
+  if (grid.bars->loads) {
+    const Eigen::Vector3d holding = JointTerm::holdingOf(grid);
+    frame.holding = static_cast<float>(holding.z());
+    frame.holdingAside = static_cast<float>(holding.x());
+    frame.turning = static_cast<float>(JointTerm::turningOf(grid) / (grid.spacing * grid.spacing));
+  }
+  return frame;
 }
 
 /// See kBindingLoads.
@@ -198,6 +201,7 @@ void DeviceGrid::take(const StrutGrid& grid) {
   storage_->stepsPerForce = (2 * energy.constraintWeights()).cwiseInverse();
   frame_ = frameOf(grid);
   isLoaded_ = frame_ && grid.bars->loads;
+  freeMotions_ = morphgrid::freeMotions(grid);
   if (frame_) {
     takeBars(grid);
   } else if (grid.printedCorners) {

@@ -2,6 +2,7 @@
 #include <atomic>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "gpu/buffer.h"
 #include "grid/joint_rotations.h"
@@ -22,8 +23,9 @@ struct DeviceFrame {
   DeviceBarSection upright;
   float lateralJoint;
   float uprightJoint;
-  float holding;  ///< Of joints that are held.
-  float turning;
+  float holding = 0;  ///< Of joints that are held, see FramePush.
+  float holdingAside = 0;
+  float turning = 0;
 };
 
 /// A strut grid in the device's memory: what the kernels of shaders/solve and shaders/render read.
@@ -61,6 +63,8 @@ class DeviceGrid {
   const DeviceFrame& frame() const { return *frame_; }
   /// Whether something acts on a frame's joints from outside, see JointLoads.
   bool isLoaded() const { return isLoaded_; }
+  /// See morphgrid::freeMotions().
+  const std::vector<int>& freeMotions() const { return freeMotions_; }
   /// Texels of a vector of the solver: one a vertex, and in frames another for its turn.
   int vectorLength() const { return (isFrame() ? 2 : 1) * shape_.vertexCount(); }
 
@@ -124,6 +128,7 @@ class DeviceGrid {
   double spacing_ = 1;
   std::optional<DeviceFrame> frame_;
   bool isLoaded_ = false;
+  std::vector<int> freeMotions_;
   TermWeights weights_;
   int mostVertices_ = 0;
   double restResolution_ = 1;

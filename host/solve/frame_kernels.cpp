@@ -12,6 +12,7 @@ FramePush framePushOf(const DeviceGrid& grid) {
           .lateralJoint = frame.lateralJoint,
           .uprightJoint = frame.uprightJoint,
           .holding = frame.holding,
+          .holdingAside = frame.holdingAside,
           .turning = frame.turning,
           .damping = 0,
           .weight = 0,

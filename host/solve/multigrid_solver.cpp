@@ -92,12 +92,14 @@ void MultigridSolver::setRest(const StrutValues& rest) {
 void MultigridSolver::setGrid(StrutGrid grid) {
   const bool wasUniform = deviceGrid_->uniformStiffness().has_value();
   const bool wasLoaded = deviceGrid_->isLoaded();
+  const std::vector<int> wereFree = deviceGrid_->freeMotions();
   const int mostVertices = deviceGrid_->mostVertices();
   deviceGrid_->assign(grid);
   grid_ = std::move(grid);
   energy_ = std::make_unique<GridEnergy>(grid_);
   if (deviceGrid_->uniformStiffness().has_value() != wasUniform ||
-      deviceGrid_->isLoaded() != wasLoaded || deviceGrid_->mostVertices() != mostVertices) {
+      deviceGrid_->isLoaded() != wasLoaded || deviceGrid_->freeMotions() != wereFree ||
+      deviceGrid_->mostVertices() != mostVertices) {
     adjoint_.reset();  // Kernels and smoothers are made for them.
     descent_.reset();
   } else if (descent_) {

@@ -11,6 +11,8 @@ namespace {
 using Eigen::Matrix3Xd;
 
 constexpr int kCoarsestNodes = 10;
+// Squared, in cells: far less than between any two joints.
+constexpr double kSamePlace = 1e-12;
 // A coarse strut that should turn by more has no shape in common with those that it stands for.
 constexpr double kLargestTurn = 1;
 // From the finest to the next coarser grid; then by 2, which keeps the thickness per spacing.
@@ -166,7 +168,7 @@ double largestTurn(const StrutGrid& grid) {
 /// Forces are shared out among the coarse joints around them; those are held that lie nearest to
 /// one that is.
 JointLoads coarsened(const JointLoads& loads, const GridShape& fine, const GridShape& coarse) {
-  JointLoads result{Matrix3Xd::Zero(3, coarse.vertexCount()), {}};
+  JointLoads result{Matrix3Xd::Zero(3, coarse.vertexCount()), {}, loads.slide};
   forEachVertex(fine, [&](const GridPlace& place) {
     const LineStencil u =
         linearStencil(matchingPlace(place.i, fine.verticesU, coarse.verticesU), coarse.verticesU);
@@ -265,6 +267,28 @@ void addHeavierCorners(std::vector<NestedGrid>& grids) {
   }
 }
 
+/// Joints that are held lie elsewhere on coarser grids. Moves them to where they are held, and all
+/// others as smoothly as that goes (Shepard 1968): stiff supports would tear at them.
+void moveToSupports(const StrutGrid& grid, Matrix3Xd& positions) {
+  const std::vector<int>& held = grid.bars->loads->held;
+  Matrix3Xd offsets = grid.bars->printed(Eigen::all, held) - positions(Eigen::all, held);
+  if (grid.bars->loads->slide) {
+    offsets.topRows<2>().setZero();
+  }
+  forEachVertex(grid.shape, [&](const GridPlace& place) {
+    double weights = 0;
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    for (std::size_t n = 0; n < held.size(); ++n) {
+      const GridPlace at = grid.shape.place(held[n]);
+      const Eigen::Vector3d apart(at.i - place.i, at.j - place.j, at.layer - place.layer);
+      const double weight = 1 / std::max(apart.squaredNorm(), kSamePlace);
+      weights += weight;
+      sum += weight * offsets.col(static_cast<Eigen::Index>(n));
+    }
+    positions.col(grid.shape.index(place)) += sum / weights;
+  });
+}
+
 int halved(int vertices) { return std::max(1, vertices / 2) + 1; }
 
 }  // namespace
@@ -292,11 +316,7 @@ Matrix3Xd prolong(const NestedGrid& coarse, const Matrix3Xd& positions, const Ne
   Matrix3Xd result = resampleLayers(coarse.grid.shape, positions, fine.grid.shape,
                                     fine.thickness / coarse.thickness);
   if (fine.grid.bars && fine.grid.bars->loads) {
-    // Those that are held lie elsewhere among the coarse ones.
-    const std::vector<int>& held = fine.grid.bars->loads->held;
-    const Eigen::Vector3d offset =
-        (fine.grid.bars->printed(Eigen::all, held) - result(Eigen::all, held)).rowwise().mean();
-    result.colwise() += offset;
+    moveToSupports(fine.grid, result);
   }
   return result;
 }

@@ -76,12 +76,10 @@ MatrixXd rigidMotions(const Matrix3Xd& positions, Motions motions) {
   return orthonormalised(basis(Eigen::all, columns), MatrixXd(basis.rows(), 0));
 }
 
-/// Of a frame: displacements in spacings, then turns. None where joints are held.
+/// Those of a frame that nothing holds: displacements in spacings, then turns.
 MatrixXd rigidMotionsOfFrame(const StrutGrid& grid, const Matrix3Xd& positions) {
   const Index count = positions.cols();
-  if (grid.bars->loads) {
-    return {6 * count, 0};
-  }
+
   const Matrix3Xd centred = (positions.colwise() - positions.rowwise().mean()) / grid.spacing;
   MatrixXd basis = MatrixXd::Zero(6 * count, 6);
   for (int axis = 0; axis < 3; ++axis) {
@@ -90,7 +88,7 @@ MatrixXd rigidMotionsOfFrame(const StrutGrid& grid, const Matrix3Xd& positions) 
     basis.col(3 + axis).head(3 * count) = -flattened(centred.colwise().cross(unit));
     basis.col(3 + axis).tail(3 * count) = unit.replicate(count, 1);
   }
-  return orthonormalised(basis, MatrixXd(basis.rows(), 0));
+  return orthonormalised(basis(Eigen::all, freeMotions(grid)), MatrixXd(basis.rows(), 0));
 }
 
 /// H of a frame in its unknowns as above, over the mean stiffness.

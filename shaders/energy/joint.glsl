@@ -1,6 +1,6 @@
 // The joint term: what acts on a joint from outside (docs/method.md, Weight and supports). A force f, its load,
 // keeps its direction; springs hold a joint where and as it was printed. Its energy is
-// -f . u + holding |u|^2 / 2 + 2 turning |v|^2. With PRECISE in double precision.
+// -f . u + sum of holding u^2 / 2 + 2 turning |v|^2. With PRECISE in double precision.
 #ifndef MORPHGRID_ENERGY_JOINT
 #define MORPHGRID_ENERGY_JOINT
 #include "energy/beam.glsl"
@@ -10,7 +10,7 @@ struct JointTerm {
   Real3 v;      // Of its rotation's quaternion (v, w).
   Real w;
   Real3 load;     // f
-  float holding;  // Stiffnesses, 0 where it is free.
+  vec3 holding;   // Stiffnesses, 0 where it is free.
   float turning;
 };
 
@@ -20,12 +20,12 @@ struct JointForces {
 };
 
 Real jointEnergy(JointTerm term) {
-  return Real(0.5 * term.holding) * dot(term.moved, term.moved) +
+  return Real(0.5) * dot(Real3(term.holding) * term.moved, term.moved) +
          Real(2.0 * term.turning) * dot(term.v, term.v) - dot(term.load, term.moved);
 }
 
 JointForces jointGradient(JointTerm term) {
-  return JointForces(Real(term.holding) * term.moved - term.load, Real(2.0 * term.turning) * term.w * term.v);
+  return JointForces(Real3(term.holding) * term.moved - term.load, Real(2.0 * term.turning) * term.w * term.v);
 }
 
 // displacement, turn: how the joint moves.

@@ -47,17 +47,18 @@ struct FramePush {
   DeviceBarSection upright;
   float lateralJoint;  // Half the width of the rigid joint at a lateral bar's end; spacings.
   float uprightJoint;
-  float holding;    // Stiffness of what holds a joint, against displacements,
-  float turning;    // and against turns.
-  float damping;    // Stiffness of every bar against any motion, which is added to a Hessian.
-  float weight;     // omega, of a step of block-Jacobi smoothing.
-  int centreLayer;  // Whose vertices are the columns' centres.
-  int firstRow;     // First row of the points dispatched, see point_rows.glsl.
+  float holding;       // Stiffness of what holds a joint, against displacements along z,
+  float holdingAside;  // along x and y,
+  float turning;       // and against turns.
+  float damping;       // Stiffness of every bar against any motion, which is added to a Hessian.
+  float weight;        // omega, of a step of block-Jacobi smoothing.
+  int centreLayer;     // Whose vertices are the columns' centres.
+  int firstRow;        // First row of the points dispatched, see point_rows.glsl.
 };
 
 #ifdef __cplusplus
 static_assert(offsetof(FramePush, lateral) == sizeof(GridPush));
-static_assert(offsetof(FramePush, firstRow) == sizeof(GridPush) + 68);
+static_assert(offsetof(FramePush, firstRow) == sizeof(GridPush) + 72);
 }  // namespace morphgrid
 #endif
 #undef CONSTANT

@@ -25,12 +25,14 @@ Joint jointAt(int index) {
   return Joint(imageLoad(joints, index), imageLoad(joints, jointCount() + index));
 }
 
+vec3 holdingStiffness() { return vec3(push.holdingAside, push.holdingAside, push.holding); }
+
 // Of a frame that is loaded.
 JointTerm jointTermAt(int index, Joint joint) {
   vec4 load = imageLoad(loads, index);
   Real3 moved = armBetween(imageLoad(printedPositions, index), joint.position, push.grid.resolution);
   Real4 q = Real4(joint.rotation) / Real(1 << int(kRotationBits));
-  return JointTerm(moved, q.xyz, q.w, Real3(load.xyz), load.w * push.holding, load.w * push.turning);
+  return JointTerm(moved, q.xyz, q.w, Real3(load.xyz), load.w * holdingStiffness(), load.w * push.turning);
 }
 
 DeviceBarSection sectionOf(int axis) {

@@ -61,7 +61,9 @@ Block betweenEnds(BarRows rows, End row, End column) {
 // What holds a joint, as part of a body about whose centre it has a lever. Nothing where it is free.
 Block ofHold(int index, vec3 lever) {
   float share = imageLoad(loads, index).w;
-  Block block = ofForces(mat3(share * push.holding), lever, lever);
+  vec3 holding = share * holdingStiffness();
+  mat3 stiffness = mat3(vec3(holding.x, 0, 0), vec3(0, holding.y, 0), vec3(0, 0, holding.z));
+  Block block = ofForces(stiffness, lever, lever);
   block.ww += mat3(share * push.turning);
   return block;
 }

@@ -105,6 +105,16 @@ TEST(MaterialSettings, WeightNeedsWhatMakesItBend) {
             "falls freely, and weight does not bend it");
 }
 
+TEST(MaterialSettings, SupportsThatSlideCarryWhatFallsStraight) {
+  const SceneFiles files(kBezierScene + std::string(kWeight));
+  EXPECT_TRUE(files.load({"material.slide=true"}).material.slide);
+  EXPECT_THAT(
+      files.problems({"material.slide=true", "material.gravity=[1, 0, -9.81]"}),
+      HasSubstr("material.slide needs material.gravity along z: else the grid slides away"));
+  EXPECT_THAT(SceneFiles(kBezierScene).problems({"material.model=frame", "material.slide=true"}),
+              HasSubstr("material.slide needs material.supports that slide"));
+}
+
 TEST(MaterialSettings, GravityIsAVectorAndSupportsAreJoints) {
   const SceneFiles files(kBezierScene + std::string(kWeight));
   EXPECT_THAT(files.problems({"material.gravity=9.81"}),

@@ -1,6 +1,7 @@
 // The program as a user runs it, under the validation layers.
 #include <gmock/gmock.h>
 
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -74,6 +75,25 @@ TEST_F(Run, WeldedBarsComeToRestAlikeByBothMethods) {
   EXPECT_NEAR(energies[0], energies[1], 1e-6 * energies[0]);
   const ProcessResult figures = runMorphgrid({"figures", out(), "--validate"});
   EXPECT_EQ(figures.exitCode, 0) << figures.output;
+}
+
+TEST_F(Run, ThinGridsSagAlikeByBothMethodsAndThickOnesHold) {
+  const auto weightOf = [&](const char* layerSpacing, const char* method) {
+    const ProcessResult run = runMorphgrid({"run", sceneFile("roof"), "--out", out(), "--validate",
+                                            "--set", "output.pictures=false", "--set",
+                                            std::string("grid.layer_spacing=") + layerSpacing,
+                                            "--set", std::string("solver.method=") + method});
+    EXPECT_EQ(run.exitCode, 0) << run.output;
+    EXPECT_EQ(report()["full"]["converged"], true) << method;
+    return report();
+  };
+  const auto thin = weightOf("2", "multigrid"), reference = weightOf("2", "reference"),
+             thick = weightOf("6", "multigrid");
+  const double energy = reference["full"]["energy"];
+  EXPECT_NEAR(thin["full"]["energy"], energy, 1e-6 * std::abs(energy));
+  EXPECT_NEAR(thin["weight"]["newtons"], reference["weight"]["newtons"], 1e-9);
+  EXPECT_TRUE(reference["weight"]["sag"].is_null());
+  EXPECT_GT(thin["weight"]["sag"], 3 * thick["weight"]["sag"].get<double>());
 }
 
 TEST_F(Run, KeepsItsReportWhenAnotherFileCannotBeWritten) {

@@ -55,9 +55,10 @@ TEST(SceneErrors, MissingKeys) {
 }
 
 TEST(SceneErrors, ASectionThatIsNoTableIsOneProblem) {
-  EXPECT_EQ(SceneFiles("surface = 3\ngrid = \"\"\n").problems(),
+  EXPECT_EQ(SceneFiles("surface = 3\ngrid = \"\"\nmaterial = 1\n").problems(),
             "scene.toml:1:11: surface must be a table, got 3\n"
-            "scene.toml:2:8: grid must be a table, got \"\"");
+            "scene.toml:2:8: grid must be a table, got \"\"\n"
+            "scene.toml:3:12: material must be a table, got 1");
 }
 
 TEST(SceneErrors, UnknownKeys) {

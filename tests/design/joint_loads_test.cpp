@@ -13,6 +13,7 @@ namespace {
 
 using testing::ElementsAre;
 using testing::HasSubstr;
+using testing::IsEmpty;
 using testing::SizeIs;
 
 constexpr double kGravity = 9.81;
@@ -85,6 +86,30 @@ TEST(JointLoads, SupportsAreJointsOfTheBottomLayerOrAnyOther) {
       testing::ThrowsMessage<InputError>(
           HasSubstr("material.supports must be joints [i, j, k] from [0, 0, 0] to [3, 2, "
                     "1], got [1, 3, 0]")));
+}
+
+TEST(JointLoads, SupportsThatKeepTheGridFromShrinkingAreTold) {
+  MaterialRequest material{.model = Model::frame};
+  material.supports = {std::array{1, 1, 0}, std::array{1, 1, 1}};
+  EXPECT_THAT(adviseOnBars(weldedOf(material), material), IsEmpty());
+  material.supports = {SupportPlace::corners};
+  EXPECT_THAT(adviseOnBars(weldedOf(material), material),
+              ElementsAre(HasSubstr("hold joints apart")));
+  material.slide = true;
+  EXPECT_THAT(adviseOnBars(weldedOf(material), material), IsEmpty());
+}
+
+TEST(JointLoads, SupportsThatSlideMustCarry) {
+  MaterialRequest standing{.model = Model::frame};
+  standing.slide = true;
+  standing.supports = {SupportPlace::corners};
+  EXPECT_TRUE(loadsOf(weldedOf(standing)).slide);
+  for (const auto& other : {std::array{0, 0, 0}, std::array{2, 0, 0}, std::array{1, 0, 1}}) {
+    standing.supports = {std::array{0, 0, 0}, std::array{3, 0, 0}, other};
+    EXPECT_THAT([&] { weldedOf(standing); },
+                testing::ThrowsMessage<InputError>(HasSubstr(
+                    "material.slide needs three material.supports that are not in line")));
+  }
 }
 
 }  // namespace

@@ -14,7 +14,7 @@ using Eigen::Vector3d;
 constexpr double kStep = 1e-6;
 
 JointTerm sampleTerm() {
-  return {.printed = {1, 2, 3}, .load = {0.3, -0.2, 0.5}, .holding = 7, .turning = 5};
+  return {.printed = {1, 2, 3}, .load = {0.3, -0.2, 0.5}, .holding = {7, 4, 9}, .turning = 5};
 }
 
 Quaterniond turnedBy(const Vector3d& turn, const Quaterniond& rotation) {

@@ -16,13 +16,14 @@ namespace {
 using Eigen::Matrix3Xd;
 using Eigen::VectorXd;
 
-class FrameInverseTest : public DeviceTest {};
+class FrameInverseTest : public DeviceTest {
+ protected:
+  /// The whole chain of a frame: rest lengths, equilibrium, alignment, distance. The device's
+  /// adjoint beside equilibria of Newton's method in double precision.
+  void expectGradientOfDifferences(const StrutGrid& grid) const;
+};
 
-// The whole chain of a frame: rest lengths, equilibrium, alignment, distance. The device's adjoint
-// beside equilibria of Newton's method in double precision.
-TEST_F(FrameInverseTest, AdjointGradientIsThatOfFiniteDifferences) {
-  const StrutGrid grid =
-      welded(bentGrid({5, 4, 3}, 5), {.width = 0.2, .height = 0.15, .joint = 0.05});
+void FrameInverseTest::expectGradientOfDifferences(const StrutGrid& grid) const {
   const Equilibrium equilibrium = solveFrame(grid, {.tolerance = 1e-12});
   ASSERT_TRUE(equilibrium.converged);
   Matrix3Xd targets = middleLayer(grid.shape, equilibrium.positions);
@@ -50,6 +51,17 @@ TEST_F(FrameInverseTest, AdjointGradientIsThatOfFiniteDifferences) {
     const double slope = (objectiveWith(rest + step) - objectiveWith(rest - step)) / (2 * kStep);
     EXPECT_NEAR(gradient[n], slope, 2e-3 * gradient.cwiseAbs().maxCoeff()) << n;
   }
+}
+
+TEST_F(FrameInverseTest, AdjointGradientIsThatOfFiniteDifferences) {
+  expectGradientOfDifferences(
+      welded(bentGrid({5, 4, 3}, 5), {.width = 0.2, .height = 0.15, .joint = 0.05}));
+}
+
+TEST_F(FrameInverseTest, OfAGridUnderWeightToo) {
+  const StrutGrid grid =
+      welded(bentGrid({5, 4, 3}, 5), {.width = 0.2, .height = 0.15, .joint = 0.05});
+  expectGradientOfDifferences(weighedDown(grid, {0, 0, -1e-3}, {7}));
 }
 
 }  // namespace

@@ -17,8 +17,8 @@ StrutGrid welded(StrutGrid grid, const BarSize& size) {
 }
 
 StrutGrid weighedDown(StrutGrid grid, const Eigen::Vector3d& weightPerStiffness,
-                      std::vector<int> held) {
-  JointLoads loads{Eigen::Matrix3Xd::Zero(3, grid.shape.vertexCount()), std::move(held)};
+                      std::vector<int> held, bool slide) {
+  JointLoads loads{Eigen::Matrix3Xd::Zero(3, grid.shape.vertexCount()), std::move(held), slide};
   forEachStrut(grid.shape, [&](const Strut& strut) {
     const Eigen::Vector3d half = grid.bars->section(strut).stretching *
                                  lengthAt(grid.bars->printed, strut) / 2 * weightPerStiffness;

@@ -14,7 +14,7 @@ StrutGrid welded(StrutGrid grid, const BarSize& size);
 /// The frame with joints that are held, and a weight of so much a unit of EA and of printed length
 /// on all joints.
 StrutGrid weighedDown(StrutGrid grid, const Eigen::Vector3d& weightPerStiffness,
-                      std::vector<int> held);
+                      std::vector<int> held, bool slide = false);
 
 /// Where a frame may be, away from rest: joints moved by up to `move` in each coordinate and turned
 /// by up to `turn` about each axis.

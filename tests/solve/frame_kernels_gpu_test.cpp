@@ -21,9 +21,11 @@ constexpr BarSize kThick{.width = 0.25, .height = 0.2, .poisson = 0.4, .joint = 
 constexpr BarSize kSlender{
     .width = 0.1, .height = 0.1, .poisson = 0.3, .joint = 0, .isShearing = false};
 
+enum class Held { notAtAll, clamped, sliding };
+
 /// Kernels of a frame away from rest, beside the host's double precision.
 class FrameKernels : public DeviceTest,
-                     public testing::WithParamInterface<std::tuple<GridShape, BarSize, bool>> {
+                     public testing::WithParamInterface<std::tuple<GridShape, BarSize, Held>> {
  protected:
   void SetUp() override { deviceGrid_.uploadPositions(place_.positions, place_.rotations); }
 
@@ -72,7 +74,7 @@ class FrameKernels : public DeviceTest,
           spread.transpose() * term.gaussNewton(ends) * spread / (grid_.spacing * grid_.spacing);
     });
     JointTerm::forEach(grid_, [&](const JointTerm& term, int joint) {
-      dense.diagonal().segment<3>(3 * joint).array() += term.holding;
+      dense.diagonal().segment<3>(3 * joint) += term.holding;
       dense.diagonal().segment<3>(3 * (count() + joint)).array() +=
           term.turning / (grid_.spacing * grid_.spacing);
     });
@@ -83,8 +85,10 @@ class FrameKernels : public DeviceTest,
     StrutGrid grid = bentGrid(std::get<GridShape>(GetParam()), 3);
     grid.spacing = 1.25;
     grid = welded(grid, std::get<BarSize>(GetParam()));
-    const bool isLoaded = std::get<bool>(GetParam());
-    return isLoaded ? weighedDown(grid, {0.01, 0.02, -0.05}, {1, 2}) : grid;
+    const Held held = std::get<Held>(GetParam());
+    return held == Held::notAtAll
+               ? grid
+               : weighedDown(grid, {0.01, 0.02, -0.05}, {1, 2}, held == Held::sliding);
   }
 
   StrutGrid grid_ = frame();
@@ -188,10 +192,11 @@ TEST_P(FrameKernels, RotationsComeBackFromTheDevice) {
   EXPECT_LT((back - place_.rotations).cwiseAbs().maxCoeff(), 2e-9);
 }
 
-INSTANTIATE_TEST_SUITE_P(Shapes, FrameKernels,
-                         testing::Combine(testing::Values(GridShape{4, 3, 2}, GridShape{2, 2, 1},
-                                                          GridShape{11, 5, 3}),
-                                          testing::Values(kThick, kSlender), testing::Bool()));
+INSTANTIATE_TEST_SUITE_P(
+    Shapes, FrameKernels,
+    testing::Combine(testing::Values(GridShape{4, 3, 2}, GridShape{2, 2, 1}, GridShape{11, 5, 3}),
+                     testing::Values(kThick, kSlender),
+                     testing::Values(Held::notAtAll, Held::clamped, Held::sliding)));
 
 }  // namespace
 }  // namespace morphgrid

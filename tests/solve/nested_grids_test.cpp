@@ -111,6 +111,25 @@ TEST(NestedGrids, CarryTheWeightAndHoldTheNearestJoint) {
   EXPECT_LT((start.col(joint) - fine.bars->printed.col(joint)).norm(), 1e-9);
 }
 
+TEST(NestedGrids, ProlongedGridsStandOnTheirSupports) {
+  const std::vector<int> corners{0, kShape.index(41, 0, 0), kShape.index(0, 30, 0),
+                                 kShape.index(41, 30, 0)};
+  const auto grids = nestGrids(weighedDown(
+      welded(bentGrid(kShape, 3), {.width = 0.2, .height = 0.2}), {0, 0, -2e-4}, corners, true));
+  const NestedGrid& coarse = grids[grids.size() - 2];
+  const Bars& bars = *grids.back().grid.bars;
+  Eigen::Matrix3Xd bent = coarse.grid.positions;
+  bent.row(2).array() += 0.02 * bent.row(0).array() * bent.row(1).array();
+  const Eigen::Matrix3Xd start = prolong(coarse, bent, grids.back());
+  for (const int joint : corners) {
+    EXPECT_NEAR(start(2, joint), bars.printed(2, joint), 1e-9);
+  }
+  // Aside nothing holds them.
+  NestedGrid free = grids.back();
+  free.grid.bars->loads.reset();
+  EXPECT_LT((start - prolong(coarse, bent, free)).topRows<2>().norm(), 1e-12);
+}
+
 TEST(NestedGrids, ProlongationReproducesCubicsAndOffsets) {
   const auto grids = nestGrids(circularStrip(80, 3, 0, 0.3));
   const NestedGrid& coarse = grids[grids.size() - 2];
