@@ -4,7 +4,6 @@
 #include <fstream>
 #include <set>
 
-#include "grid/bar_section.h"
 #include "tests/app/live_session.h"
 #include "tests/support/dome_scene.h"
 #include "tests/support/height_field.h"
@@ -65,36 +64,6 @@ TEST_F(LiveSession, ShowsStepsOfTheMethodThatKeepsPositionsOnTheHost) {
     });
   }
   EXPECT_TRUE(hasMoved(*snapshot)) << snapshot->status;
-}
-
-/// Where the scene leaves sizes out, knobs are at what they come to.
-TEST_F(LiveSession, BarSizesAreKnobsOfFrames) {
-  folder_.write("patch.toml", kGoodPatch);
-  start(kVault, {"material.model=\"frame\""});
-  auto end = awaitRest();
-  const ShownGrid warped = shownOf(*end, ShownStage::warped);
-  EXPECT_NEAR(knob("material.bar_height"), rectangleOf(warped.grid->bars->lateral)[1], 1e-9);
-  EXPECT_NEAR(knob("material.post_width"), rectangleOf(warped.grid->bars->upright)[0], 1e-9);
-  session_->turnKnob("material.bar_height", "0.01");
-  end = awaitRest();
-  EXPECT_EQ(knob("material.bar_height"), 0.01);
-  const BarSection& lateral = shownOf(*end, ShownStage::warped).grid->bars->lateral;
-  EXPECT_NEAR(rectangleOf(lateral)[1], 0.01, 1e-9);
-}
-
-TEST_F(LiveSession, AFramesJointsAreShownAsTheyHaveTurned) {
-  folder_.write("patch.toml", kGoodPatch);
-  start(kVault, {"material.model=\"frame\""});
-  const auto end = awaitRest();
-  const ShownGrid& warped = shownOf(*end, ShownStage::warped);
-  ASSERT_TRUE(warped.rotations);
-  const DeviceGrid& grid = *warped.onDevice;
-  EXPECT_LT((grid.downloadRotations(grid.positions()) - *warped.rotations).norm(), 1e-6);
-  EXPECT_GT((*warped.rotations - unturnedJoints(grid.shape().vertexCount())).norm(), 0.1);
-  const ShownGrid& stacked = shownOf(*end, ShownStage::stacked);
-  EXPECT_EQ(*stacked.rotations, unturnedJoints(grid.shape().vertexCount()));
-  ASSERT_TRUE(end->angleErrors);
-  EXPECT_EQ(end->angleErrors->size(), grid.shape().layerVertexCount());
 }
 
 TEST_F(LiveSession, AKnobTakesThePlaceOfTheSolveUnderWay) {
