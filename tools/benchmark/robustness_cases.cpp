@@ -83,7 +83,7 @@ void addWeights(std::vector<RobustnessCase>& cases, const SceneCases& scenes) {
     const auto design = scenes.design(scene, {});
     for (const double angle : {0.0, 0.001, 0.01, 0.1, 10.0, 1000.0}) {
       cases.push_back(
-          {"weights", fmt::format("{}, angle {:g}", scene, angle), design, {{.angle = angle}}});
+          {"weights", fmt::format("{}, angle {:g}", scene, angle), design, {.angle = angle}});
     }
     for (const double vertical : {0.005, 5000.0}) {
       cases.push_back({"weights",
