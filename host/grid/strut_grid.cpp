@@ -93,6 +93,11 @@ void validatePrintedCorners(const StrutGrid& grid) {
   }
   forEachLateralStrut(grid.shape, [&](const Strut& strut) {
     requirePositive(lengthAt(printed, strut), "the printed length", strut);
+    const double rise = printed(2, strut.to) - printed(2, strut.from);
+    if (std::abs(rise) > kFlat * lengthAt(printed, strut)) {
+      throw InputError(fmt::format("strut {} -> {} rises by {:.3g}, but layers are printed flat",
+                                   strut.from, strut.to, rise));
+    }
   });
 }
 

@@ -95,12 +95,12 @@ TEST_F(FramesUnderWeight, ASymmetricGridSagsSymmetrically) {
   for (const Equilibrium& result : solutionsOf(grid)) {
     EXPECT_TRUE(result.converged) << toString(result.reason);
     const Eigen::VectorXd heights = result.positions.row(2) - grid.positions.row(2);
-    EXPECT_LT(heights[0], -0.05);
+    EXPECT_LT(heights[0], -0.03);
     forEachVertex(shape, [&](const GridPlace& at) {
       const int mirrored = shape.index(6 - at.i, at.j, at.layer);
       const int swapped = shape.index(at.j, at.i, at.layer);
-      EXPECT_NEAR(heights[shape.index(at)], heights[mirrored], 1e-4);
-      EXPECT_NEAR(heights[shape.index(at)], heights[swapped], 1e-4);
+      EXPECT_NEAR(heights[shape.index(at)], heights[mirrored], 3e-4);
+      EXPECT_NEAR(heights[shape.index(at)], heights[swapped], 3e-4);
     });
   }
 }

@@ -32,10 +32,12 @@ StrutGrid bentGrid(const GridShape& shape, unsigned seed) {
 }
 
 StrutGrid withPrintedCorners(StrutGrid grid) {
-  Eigen::Matrix3Xd printed = grid.positions;
-  printed.row(0) +=
-      0.25 * grid.positions.row(1) +
-      0.15 * grid.positions.row(0).cwiseProduct(grid.positions.row(1)) / grid.shape.verticesU;
+  const GridShape& shape = grid.shape;
+  Eigen::Matrix3Xd printed(3, shape.vertexCount());
+  forEachVertex(shape, [&](const GridPlace& at) {
+    const double slant = 0.25 + 0.15 * at.i / shape.verticesU;
+    printed.col(shape.index(at)) << at.i + slant * at.j, at.j, at.layer;
+  });
   grid.printedCorners = std::move(printed);
   return grid;
 }

@@ -7,7 +7,7 @@ namespace morphgrid {
 /// bends) and by a few random percent (no symmetry). Normalised stiffnesses.
 StrutGrid bentGrid(const GridShape& shape, unsigned seed);
 
-/// Its corners in a layer rest at angles as printed, of 70 to 120 degrees. grid: a bentGrid().
+/// Its corners in a layer rest at angles as printed, of 65 to 115 degrees.
 StrutGrid withPrintedCorners(StrutGrid grid);
 
 /// positions with random offsets of up to `amount` in each coordinate.
