@@ -169,8 +169,10 @@ TEST(DesignSettings, AnOrthogonalNetGoesWithTheMiddle) {
 
 TEST(DesignSettings, RefuseOtherValues) {
   const SceneFiles files(kBezierScene);
-  EXPECT_THAT(files.problems({"design.net=square"}),
-              HasSubstr("design.net must be \"isoline\" or \"orthogonal\", got \"square\""));
+  EXPECT_THAT(
+      files.problems({"design.net=square"}),
+      HasSubstr(
+          "design.net must be \"isoline\" or \"orthogonal\" or \"principal\", got \"square\""));
   EXPECT_THAT(files.problems({"design.reference=top"}),
               HasSubstr("design.reference must be \"convex\" or \"middle\", got \"top\""));
   EXPECT_THAT(files.problems({"design.max_strut_ratio=1"}),
