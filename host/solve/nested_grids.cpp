@@ -174,12 +174,10 @@ JointLoads coarsened(const JointLoads& loads, const GridShape& fine, const GridS
         linearStencil(matchingPlace(place.i, fine.verticesU, coarse.verticesU), coarse.verticesU);
     const LineStencil v =
         linearStencil(matchingPlace(place.j, fine.verticesV, coarse.verticesV), coarse.verticesV);
-    for (int q = 0; q < v.count; ++q) {
-      for (int p = 0; p < u.count; ++p) {
-        result.forces.col(coarse.index(u.first + p, v.first + q, place.layer)) +=
-            u.weights[p] * v.weights[q] * loads.forces.col(fine.index(place));
-      }
-    }
+    forEachWeight(u, v, [&](int i, int j, double weight) {
+      result.forces.col(coarse.index(i, j, place.layer)) +=
+          weight * loads.forces.col(fine.index(place));
+    });
   });
   for (const int joint : loads.held) {
     result.held.push_back(nearestVertex(fine, joint, coarse));

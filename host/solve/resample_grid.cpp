@@ -22,12 +22,9 @@ Matrix3Xd resample(const GridShape& from, const Matrix3Xd& points, const GridSha
         cubicStencil(matchingPlace(place.i, to.verticesU, from.verticesU), from.verticesU);
     const LineStencil v =
         cubicStencil(matchingPlace(place.j, to.verticesV, from.verticesV), from.verticesV);
-    for (int q = 0; q < v.count; ++q) {
-      for (int p = 0; p < u.count; ++p) {
-        result.col(to.index(place)) +=
-            u.weights[p] * v.weights[q] * points.col(from.index(u.first + p, v.first + q, 0));
-      }
-    }
+    forEachWeight(u, v, [&](int i, int j, double weight) {
+      result.col(to.index(place)) += weight * points.col(from.index(i, j, 0));
+    });
   });
   return result;
 }

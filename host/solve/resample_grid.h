@@ -21,6 +21,16 @@ LineStencil linearStencil(double place, int pointCount);
 /// Lagrange's polynomial through the four nearest points.
 LineStencil cubicStencil(double place, int pointCount);
 
+/// visit(i, j, weight): the points of a layer from which a place between them is interpolated.
+template <typename Visit>
+void forEachWeight(const LineStencil& u, const LineStencil& v, Visit visit) {
+  for (int q = 0; q < v.count; ++q) {
+    for (int p = 0; p < u.count; ++p) {
+      visit(u.first + p, v.first + q, u.weights[p] * v.weights[q]);
+    }
+  }
+}
+
 /// The vertex of another grid of as many layers that lies nearest.
 int nearestVertex(const GridShape& from, int vertex, const GridShape& to);
 
