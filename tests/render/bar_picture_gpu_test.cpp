@@ -142,13 +142,7 @@ TEST_F(BarPicture, IsClosedFromEverySide) {
                            std::cos(tilt) * std::sin(turn));
       const Image image = draw(0, cameraAlong({0, 0, 0}, sight));
       ASSERT_FALSE(coloredPixels(image).empty());
-      for (int y = 0; y < kBarPictureSide; ++y) {
-        int changes = 0;  // Along the row: a convex body has two at most.
-        for (int x = 1; x < kBarPictureSide; ++x) {
-          changes += isWhite(pixelAt(image, x, y)) != isWhite(pixelAt(image, x - 1, y));
-        }
-        ASSERT_LE(changes, 2) << "row " << y << ", turn " << turn << ", tilt " << tilt;
-      }
+      ASSERT_LE(mostOutlinesInARow(image), 2) << "turn " << turn << ", tilt " << tilt;
     }
   }
 }

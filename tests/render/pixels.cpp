@@ -30,6 +30,18 @@ std::vector<Pixel> coloredPixels(const Image& image) {
   return pixels;
 }
 
+int mostOutlinesInARow(const Image& image) {
+  int most = 0;
+  for (int y = 0; y < image.height; ++y) {
+    int changes = 0;
+    for (int x = 1; x < image.width; ++x) {
+      changes += isWhite(pixelAt(image, x, y)) != isWhite(pixelAt(image, x - 1, y));
+    }
+    most = std::max(most, changes);
+  }
+  return most;
+}
+
 PixelBox coloredBox(const Image& image) {
   PixelBox box{image.width, image.height, -1, -1};
   for (int y = 0; y < image.height; ++y) {

@@ -16,6 +16,10 @@ bool isWhite(const Pixel& pixel);
 /// All that are not white.
 std::vector<Pixel> coloredPixels(const Image& image);
 
+/// The most often that a row of pixels changes between white and not: no more than twice where a
+/// convex body is seen.
+int mostOutlinesInARow(const Image& image);
+
 /// The pixels that differ from white, from their first to their last.
 struct PixelBox {
   int left, top, right, bottom;

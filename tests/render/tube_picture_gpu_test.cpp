@@ -136,13 +136,7 @@ TEST_F(TubePicture, IsClosedFromEverySide) {
                                   std::cos(tilt) * std::sin(turn));
       const Image image = drawStrut(0, cameraTowards({0, 0, 0}, sight, 2));
       ASSERT_FALSE(coloredPixels(image).empty());
-      for (int y = 0; y < kPictureSide; ++y) {
-        int changes = 0;  // Along the row: a convex body has two at most.
-        for (int x = 1; x < kPictureSide; ++x) {
-          changes += isWhite(pixelAt(image, x, y)) != isWhite(pixelAt(image, x - 1, y));
-        }
-        ASSERT_LE(changes, 2) << "row " << y << ", turn " << turn << ", tilt " << tilt;
-      }
+      ASSERT_LE(mostOutlinesInARow(image), 2) << "turn " << turn << ", tilt " << tilt;
     }
   }
 }
