@@ -383,7 +383,7 @@ bool InverseDesigner::isFirm(const State& trial) {
     return true;
   }
   const double softness = softness_->at(trial.equilibrium);
-  if (softness < std::min(kSoftest, softnessNow_)) {
+  if (softness < std::min(options_.softest, softnessNow_)) {
     ++result_.refusedAsSoft;
     return false;
   }

@@ -22,6 +22,8 @@ struct InverseOptions {
   std::optional<ShrinkRange> shrinkRange;  ///< Every strut keeps to it.
   /// |length - rest| / rest of lateral struts beyond it counts as distance does, > 0.
   std::optional<double> maxStrain;
+  /// Of frames: a step that leaves less Softness than this, and than there is, is refused.
+  double softest = kSoftest;
   /// Lateral rest lengths that lead to points of the middle layer, 3 x layerVertexCount, as far as
   /// geometry knows. Where it is given, rounds of correction aim beyond the target; else they work
   /// strut by strut.

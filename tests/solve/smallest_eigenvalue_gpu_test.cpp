@@ -73,6 +73,16 @@ TEST_F(SmallestEigenvalueByMultigrid, OfAFrameAgreesWithTheDenseOne) {
   }
 }
 
+TEST_F(SmallestEigenvalueByMultigrid, GoesOnFromAMotionThatIsNear) {
+  const StrutGrid grid = atRest(bentGrid({9, 7, 2}, 8));
+  EigenvalueOptions options{.tolerance = 1e-3};
+  const SmallestEigenvalue first = compute(grid, options);
+  options.start = first.motion;
+  const SmallestEigenvalue again = compute(grid, options);
+  EXPECT_NEAR(again.value / first.value, 1, 1e-6);
+  EXPECT_LT(again.iterations, first.iterations / 2);
+}
+
 TEST_F(SmallestEigenvalueByMultigrid, TakesFewIterations) {
   const StrutGrid grid = atRest(loadReferenceProblem("egg_chair").grid);
   const SmallestEigenvalue found = compute(grid, {});
