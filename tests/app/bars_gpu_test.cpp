@@ -1,4 +1,5 @@
 // Springs that stand for bars against the frame of bars, on the paper's designs.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "design/material.h"
@@ -75,6 +76,7 @@ TEST_P(SpringsForBars, ComeCloseToTheFrame) {
         computeShapeError(grid.shape, springs.positions, middleLayer(grid.shape, frame.positions))
             .rmsPercent;
     EXPECT_LT(apart, kAlike) << thickness;
+    RecordProperty(fmt::format("rms_percent_at_{:g}", thickness), fmt::format("{:.3g}", apart));
   }
 }
 

@@ -1,3 +1,4 @@
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
@@ -42,6 +43,28 @@ TEST_P(TrueScenes, ReachTheirTargetAsFrames) {
   const auto& fromFlat = report["inverse_design"]["from_flat"];
   EXPECT_EQ(fromFlat["same_equilibrium"], true);
   EXPECT_GE(fromFlat["least_eigenvalue_ratio"].get<double>(), goal.leastStiffness);
+}
+
+// The paper's sheet in the frame: one corner curls, and its mirror twin is as likely.
+TEST(PapersSheet, LosesItsSymmetryAsAFrame) {
+  const TemporaryFolder folder;
+  const auto reportWith = [&](const std::string& model) {
+    const ProcessResult run =
+        runMorphgrid({"run", sourceFolder() / "scenes/egg_chair.toml", "--out", folder / model,
+                      "--quiet", "--set", "output.pictures=false", "--set",
+                      "material.model=" + model, "--set", "design.layout=in_plane"});
+    EXPECT_EQ(run.exitCode, 0) << run.output;
+    return nlohmann::json::parse(readFile(folder / (model + "/report.json")));
+  };
+  const auto springs = reportWith("paper");
+  EXPECT_EQ(springs["symmetry"]["kind"], "mirror across u");
+  EXPECT_LT(springs["symmetry"]["result_percent"].get<double>(), 0.01);
+  const auto frame = reportWith("frame");
+  EXPECT_GT(frame["symmetry"]["result_percent"].get<double>(), 1);
+  EXPECT_THAT(frame["notices"],
+              testing::Contains(testing::ResultOf(
+                  [](const nlohmann::json& notice) { return notice.get<std::string>(); },
+                  testing::HasSubstr("has buckled to one side"))));
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, TrueScenes,
