@@ -84,7 +84,7 @@ InverseDesigner::InverseDesigner(MultigridSolver& solver, const Eigen::Matrix3Xd
 InverseDesign InverseDesigner::run(Equilibrium first) {
   result_.ending = "all steps done";
   if (solver_.grid().bars) {
-    softness_.emplace(solver_);
+    softness_.emplace(solver_, options_.softest);
     solver_.moveTo(first.positions, first.rotations);
   }
   if (options_.resumeFrom) {
@@ -95,7 +95,7 @@ InverseDesign InverseDesigner::run(Equilibrium first) {
   }
   if (softness_) {
     place();
-    softnessNow_ = softness_->at(state_.equilibrium);
+    softness_->startAt(state_.rest, state_.equilibrium);
   }
   if (!compensated_) {
     compensate();
@@ -201,7 +201,8 @@ void InverseDesigner::morphFromFlat() {
     options_.onCheckFromFlat();
   }
   result_.fromFlat = checkFromFlat(solver_, kept_.equilibrium, targets_, toTheEnd_,
-                                   softness_ ? &*softness_ : nullptr);
+                                   softness_ ? &softness_->softness() : nullptr);
+  if (softness_) result_.refusedAsSoft = softness_->refusals();
 }
 
 void InverseDesigner::place() {
@@ -243,7 +244,7 @@ void InverseDesigner::aimBeyond() {
     offerCheckpoint();
     const Matrix3Xd& aim = correction.next(middleLayer(shape, state_.equilibrium.positions));
     State trial = morphed(lbfgs_.project(options_.lengthsFor(aim)), onTheWay_);
-    if (isBetter(trial) && strainsNoMore(trial) && isFirm(trial)) {
+    if (isBetter(trial) && strainsNoMore(trial) && staysFirm(trial)) {
       correction.take();
       aim_ = correction.aim();
       state_ = std::move(trial);
@@ -350,7 +351,7 @@ bool InverseDesigner::searchLine(const VectorXd& direction) {
   double length = 1;
   for (int attempt = 0; attempt < kLineSearchSteps && !options_.solve.stopRequested(); ++attempt) {
     State next = morphed(lbfgs_.project(state_.rest + length * direction), onTheWay_);
-    if (isBetter(next) && isFirm(next)) {
+    if (isBetter(next) && staysFirm(next)) {
       state_ = std::move(next);
       isPlaced_ = true;
       return true;
@@ -376,19 +377,9 @@ bool InverseDesigner::strainsNoMore(const State& trial) const {
          largestStrain(trial) <= std::max(*options_.maxStrain, largestStrain(state_));
 }
 
-/// The solver stands at the trial, which is to be the present state if it is firm. Where the
-/// present one is soft already, it must not get softer.
-bool InverseDesigner::isFirm(const State& trial) {
-  if (!softness_) {
-    return true;
-  }
-  const double softness = softness_->at(trial.equilibrium);
-  if (softness < std::min(options_.softest, softnessNow_)) {
-    ++result_.refusedAsSoft;
-    return false;
-  }
-  softnessNow_ = softness;
-  return true;
+/// Asked last, as the answer is that of the present state from then on.
+bool InverseDesigner::staysFirm(const State& trial) {
+  return !softness_ || softness_->permits(trial.rest, trial.equilibrium);
 }
 
 void InverseDesigner::log(InverseStep::Kind kind, int number) {

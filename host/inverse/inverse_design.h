@@ -102,7 +102,7 @@ class InverseDesigner {
   double largestStrain(const State& state) const;
   bool isBetter(const State& trial) const;
   bool strainsNoMore(const State& trial) const;
-  bool isFirm(const State& trial);
+  bool staysFirm(const State& trial);
   void log(InverseStep::Kind kind, int number);
   void offerCheckpoint();
   bool falls() const;
@@ -126,8 +126,7 @@ class InverseDesigner {
   std::size_t keptSteps_ = 0;
   bool compensated_ = false;
   Eigen::Matrix3Xd aim_;
-  std::optional<Softness> softness_;  ///< Of frames.
-  double softnessNow_ = 0;            ///< That of state_.
+  std::optional<SoftnessBound> softness_;  ///< Of frames.
   InverseDesign result_;
   std::vector<double> objectives_;  ///< After each step of optimise().
   long cycles_ = 0;

@@ -1,5 +1,5 @@
 #pragma once
-#include <optional>
+#include <limits>
 
 #include "solve/multigrid_solver.h"
 
@@ -17,15 +17,42 @@ class Softness {
   /// as they were. Keeps a reference.
   explicit Softness(MultigridSolver& solver);
 
-  /// Where the solver stands, at rest.
-  double at(const Equilibrium& equilibrium);
+  /// Where the solver stands, at rest; within a tenth where it is no more than `enough`.
+  double at(const Equilibrium& equilibrium,
+            double enough = std::numeric_limits<double>::infinity());
 
  private:
-  double eigenvalueAt(const Equilibrium& equilibrium);
+  double eigenvalueAt(const Equilibrium& equilibrium, double enough);
 
   MultigridSolver& solver_;
   Eigen::Matrix3Xd softest_;  ///< The motion that was found last: the next one is much alike.
   double flat_;
+};
+
+/// Refuses steps of an inverse design that bring a frame near buckling.
+class SoftnessBound {
+ public:
+  /// softest: a step may leave no less, unless there was less before. The solver is brought to the
+  /// flat sheet. Keeps a reference.
+  SoftnessBound(MultigridSolver& solver, double softest);
+
+  /// Where the design starts; rest: its lateral rest lengths, see LateralRest. The solver stands
+  /// there.
+  void startAt(const Eigen::VectorXd& rest, const Equilibrium& equilibrium);
+  /// Whether the design may go on there, where the solver stands; counted where it may not. Rest
+  /// lengths that have hardly changed since it was judged last are not judged again.
+  bool permits(const Eigen::VectorXd& rest, const Equilibrium& equilibrium);
+
+  int refusals() const { return refusals_; }
+  Softness& softness() { return softness_; }
+
+ private:
+  Softness softness_;
+  double softest_;
+  double leastChange_;  ///< Of a rest length.
+  double judged_ = 0;   ///< Softness at restJudged_.
+  Eigen::VectorXd restJudged_;
+  int refusals_ = 0;
 };
 
 }  // namespace morphgrid

@@ -197,10 +197,9 @@ SmallestEigenvalue search(const Problem& problem, const EigenvalueOptions& optio
   const auto start = Clock::now();
   const Index size = problem.size();
   Subspace s{MatrixXd(size, 0), MatrixXd(size, 0), VectorXd(0)};
-  MatrixXd first = problem.newMotions(randomMotions(size), s.motions);
-  if (options.start.size() == size) {
-    first = problem.allowed(joined(flattened(options.start), first)).leftCols(kBlock);
-  }
+  const MatrixXd first = options.start.size() == size
+                             ? problem.allowed(flattened(options.start))
+                             : problem.newMotions(randomMotions(size), s.motions);
   if (first.cols() == 0) {
     throw DeviceError("the preconditioner of the eigenvalue search left the range of numbers");
   }
@@ -214,7 +213,8 @@ SmallestEigenvalue search(const Problem& problem, const EigenvalueOptions& optio
     result.value = s.eigenvalues[0];
     result.residual = residuals.col(0).norm();
     result.converged =
-        result.residual <= std::max(options.tolerance * std::abs(result.value), kRounding);
+        result.residual <= std::max(options.tolerance * std::abs(result.value), kRounding) ||
+        result.value - result.residual > options.enough;
     if (result.converged || result.iterations >= options.iterationLimit || interruptRequested()) {
       break;
     }

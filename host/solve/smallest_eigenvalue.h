@@ -1,5 +1,6 @@
 #pragma once
 #include <functional>
+#include <limits>
 #include <string>
 
 #include "grid/joint_rotations.h"
@@ -24,6 +25,9 @@ struct EigenvalueOptions {
   long iterationLimit = 500;  ///< >= 0
   /// A motion to begin with, as SmallestEigenvalue::motion of a grid nearby; empty: a random one.
   Eigen::Matrix3Xd start = {};
+  /// It also ends as converged where the value less its residual is above: then the eigenvalue that
+  /// is found is.
+  double enough = std::numeric_limits<double>::infinity();
 };
 
 /// The smallest eigenvalue of the exact Hessian of the energy beyond the rigid motions, over the
