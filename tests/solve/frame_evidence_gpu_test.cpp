@@ -60,8 +60,10 @@ INSTANTIATE_TEST_SUITE_P(Solids, FrameBesideSolids,
                                          SolidBound{"solid_ladder_0_10_t0.2", 0.5},
                                          SolidBound{"solid_ladder_10_30_t0.1", 0.2},
                                          SolidBound{"solid_ladder_10_30_t0.2", 0.4},
+                                         SolidBound{"solid_ladder_10_30_t0.35", 0.8},
                                          SolidBound{"solid_saddle_5_30_t0.1", 1.2},
                                          SolidBound{"solid_saddle_5_30_t0.2", 0.8},
+                                         SolidBound{"solid_saddle_5_30_t0.35", 2},
                                          SolidBound{"solid_cap_4_24_t0.2", 1}));
 
 }  // namespace
