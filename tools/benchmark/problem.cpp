@@ -21,7 +21,18 @@ std::filesystem::path fileOf(const std::string& nameOrFile) {
 }
 
 Problem designed(std::string name, const Scene& scene) {
-  return {std::move(name), designScene(scene).design, scene.weights, scene.scaling};
+  SceneDesign design = designScene(scene);
+  Problem problem{std::move(name), std::move(design.design), scene.weights, scene.scaling};
+  if (design.sheet) {
+    problem.sheet = std::move(design.sheet->sheet);
+  }
+  return problem;
+}
+
+Problem cupOf(int nodesLong, std::vector<std::string> overrides) {
+  overrides.push_back(fmt::format("grid.nodes_long={}", nodesLong));
+  overrides.push_back(fmt::format("grid.layer_spacing={}", kCupThickness / nodesLong));
+  return designed(fmt::format("cup {}", nodesLong), loadScene(fileOf("cup"), overrides));
 }
 
 }  // namespace
@@ -31,12 +42,9 @@ Problem sceneProblem(const std::string& nameOrFile) {
   return designed(scene.name, scene);
 }
 
-Problem cupProblem(int nodesLong) {
-  return designed(
-      fmt::format("cup {}", nodesLong),
-      loadScene(fileOf("cup"), {fmt::format("grid.nodes_long={}", nodesLong),
-                                fmt::format("grid.layer_spacing={}", kCupThickness / nodesLong)}));
-}
+Problem cupProblem(int nodesLong) { return cupOf(nodesLong, {}); }
+
+Problem weldedCupProblem(int nodesLong) { return cupOf(nodesLong, {"material.model=frame"}); }
 
 StrutGrid saddleGrid(int vertexCount) {
   constexpr int kLayers = 3;

@@ -1,7 +1,9 @@
 #pragma once
+#include <optional>
 #include <string>
 
 #include "app/scene.h"
+#include "layout/conformal_sheet.h"
 
 namespace morphgrid {
 
@@ -11,9 +13,10 @@ struct Problem {
   GridDesign design;
   Weights weights;
   Scaling scaling;
+  std::optional<Sheet> sheet = {};  ///< Where the grid is laid out as one of bars.
 
   StrutGrid inPlane() const { return inPlaneGrid(design, weights, scaling); }
-  /// printedLayer: where inPlane() comes to rest.
+  /// printedLayer: where inPlane() comes to rest, or the sheet in space.
   StrutGrid stacked(const Eigen::Matrix3Xd& printedLayer) const {
     return stackedGrid(design, weights, scaling, printedLayer);
   }
@@ -25,6 +28,8 @@ Problem sceneProblem(const std::string& nameOrFile);
 
 /// scenes/cup.toml with so many nodes on its long edge, its layers 0.35 struts apart.
 Problem cupProblem(int nodesLong);
+/// The same, on the sheet that a scene of bars has by default.
+Problem weldedCupProblem(int nodesLong);
 
 /// Three layers that want to bend into a saddle, without a design.
 StrutGrid saddleGrid(int vertexCount);
