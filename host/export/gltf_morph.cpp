@@ -3,6 +3,7 @@
 #include <cassert>
 
 #include "export/gltf_parts.h"
+#include "export/gltf_struts.h"
 
 namespace morphgrid {
 namespace {
@@ -14,23 +15,26 @@ int addDifference(tinygltf::Model& model, const Eigen::Matrix3Xd& to,
 }
 
 void addMorphingStruts(tinygltf::Model& model, const StrutGrid& grid,
-                       const std::vector<MorphKey>& keys) {
+                       const std::vector<MorphKey>& keys, const Eigen::Vector3d& origin) {
   const auto vertices = [&](const MorphKey& key) {
-    return strutVertices(grid, key.positions, key.rotations);
+    return strutVertices(grid, key.positions.colwise() - origin, key.rotations);
   };
   const MorphKey& begin = keys.front();
-  const Eigen::Matrix3Xf first = vertices(begin);
-  tinygltf::Primitive struts = addStruts(model, grid, begin.positions, begin.rotations);
+  const Eigen::Matrix3Xd first = vertices(begin);
+  tinygltf::Primitive struts =
+      addStruts(model, grid, begin.positions.colwise() - origin, begin.rotations);
   for (auto key = keys.begin() + 1; key != keys.end(); ++key) {
-    struts.targets.push_back({{"POSITION", addPositions(model, vertices(*key) - first)}});
+    struts.targets.push_back({{"POSITION", addDifference(model, vertices(*key), first)}});
   }
   addStrutNode(model, std::move(struts));
 }
 
-void addMorphingSurface(tinygltf::Model& model, const std::vector<MorphKey>& keys) {
+void addMorphingSurface(tinygltf::Model& model, const std::vector<MorphKey>& keys,
+                        const Eigen::Vector3d& origin) {
   const SurfaceMesh& first = keys.front().surface;
   tinygltf::Primitive triangles;
-  triangles.attributes["POSITION"] = addPositions(model, first.vertices.cast<float>());
+  triangles.attributes["POSITION"] =
+      addPositions(model, (first.vertices.colwise() - origin).cast<float>());
   triangles.attributes["NORMAL"] = addVectors(model, first.normals.cast<float>());
   triangles.indices = addIndices(model, first.triangles);
   for (auto key = keys.begin() + 1; key != keys.end(); ++key) {
@@ -88,9 +92,11 @@ void exportGltfMorph(const std::filesystem::path& path, const StrutGrid& grid,
     requireFloats(path, key.positions);
     requireFloats(path, key.surface.vertices);
   }
+  const Eigen::Vector3d origin = middleOf(keys.back().positions);
   tinygltf::Model model = emptyModel();
-  addMorphingStruts(model, grid, keys);
-  addMorphingSurface(model, keys);
+  addMorphingStruts(model, grid, keys, origin);
+  addMorphingSurface(model, keys, origin);
+  placeAt(model, origin);
   addAnimation(model, timeline, keys.size() - 1);
   writeModel(path, model);
 }

@@ -5,13 +5,13 @@
 #include <filesystem>
 #include <string>
 
-#include "grid/joint_rotations.h"
-#include "grid/strut_grid.h"
-
 namespace morphgrid {
 
 /// Parts of which the glTF files are put together. Numbers go to the model's one buffer; accessors
 /// are given by their index.
+
+/// The extension of materials whose colours are shown as they are.
+inline constexpr const char* kUnlit = "KHR_materials_unlit";
 
 /// One scene, without nodes yet.
 tinygltf::Model emptyModel();
@@ -24,20 +24,16 @@ int addIndices(tinygltf::Model& model, const Eigen::Matrix3Xi& triangles);
 int addPositions(tinygltf::Model& model, const Eigen::Matrix3Xf& positions);
 int addTimes(tinygltf::Model& model, const Eigen::VectorXf& seconds);
 
-/// Both ends of every strut, in the order of forEachStrut(): every strut has vertices of its own,
-/// since shared ones would blend the colours of neighbours. Of a frame the vertices of
-/// barVertices(); rotations: of its joints.
-Eigen::Matrix3Xf strutVertices(const StrutGrid& grid, const Eigen::Matrix3Xd& positions,
-                               const JointRotations& rotations);
-
-/// Lines, or the bars of a frame, in the colours of the struts' strain. Bars have no normals: then
-/// the standard wants their sides flat.
-tinygltf::Primitive addStruts(tinygltf::Model& model, const StrutGrid& grid,
-                              const Eigen::Matrix3Xd& positions, const JointRotations& rotations);
-
 /// A mesh of one primitive in a node that turns the scene's +z into glTF's up.
-void addStrutNode(tinygltf::Model& model, tinygltf::Primitive struts);
+void addNode(tinygltf::Model& model, const std::string& name, const tinygltf::Material& material,
+             tinygltf::Primitive primitive);
 void addSurfaceNode(tinygltf::Model& model, tinygltf::Primitive triangles);
+
+/// Positions are written from here: floats far from their origin are coarse. Of the box around
+/// them.
+Eigen::Vector3d middleOf(const Eigen::Matrix3Xd& positions);
+/// Moves all nodes by what was taken off their positions.
+void placeAt(tinygltf::Model& model, const Eigen::Vector3d& origin);
 
 /// Throws InputError naming the path when a number does not fit a float.
 void requireFloats(const std::filesystem::path& path, const Eigen::Matrix3Xd& values);

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <bit>
 #include <iterator>
 #include <string>
 
@@ -15,27 +16,34 @@ void append(std::string& text, fmt::format_string<Values...> format, Values&&...
   fmt::format_to(std::back_inserter(text), format, std::forward<Values>(values)...);
 }
 
+template <typename Column>
+void appendBytes(std::string& bytes, const Column& column) {
+  const Eigen::Vector3<typename Column::Scalar> values = column;
+  bytes.append(reinterpret_cast<const char*>(values.data()), sizeof(values));
+}
+
 }  // namespace
 
 void exportPly(const std::filesystem::path& path, const SurfaceMesh& surface) {
-  std::string text;
-  append(text, "ply\nformat ascii 1.0\ncomment morphgrid\nelement vertex {}\n",
+  static_assert(std::endian::native == std::endian::little);
+  std::string bytes;
+  append(bytes, "ply\nformat binary_little_endian 1.0\ncomment morphgrid\nelement vertex {}\n",
          surface.vertices.cols());
-  for (const char* property : {"x", "y", "z", "nx", "ny", "nz"}) {
-    append(text, "property double {}\n", property);
+  for (const char* property :
+       {"double x", "double y", "double z", "float nx", "float ny", "float nz"}) {
+    append(bytes, "property {}\n", property);
   }
-  append(text, "element face {}\nproperty list uchar int vertex_indices\nend_header\n",
+  append(bytes, "element face {}\nproperty list uchar int vertex_indices\nend_header\n",
          surface.triangles.cols());
   for (Eigen::Index i = 0; i < surface.vertices.cols(); ++i) {
-    const auto vertex = surface.vertices.col(i);
-    const auto normal = surface.normals.col(i);
-    append(text, "{} {} {} {} {} {}\n", vertex[0], vertex[1], vertex[2], normal[0], normal[1],
-           normal[2]);
+    appendBytes(bytes, surface.vertices.col(i));
+    appendBytes(bytes, surface.normals.col(i).cast<float>());
   }
   for (const auto& triangle : surface.triangles.colwise()) {
-    append(text, "3 {} {} {}\n", triangle[0], triangle[1], triangle[2]);
+    bytes.push_back(3);
+    appendBytes(bytes, triangle);
   }
-  writeFileAtomically(path, text);
+  writeFileAtomically(path, bytes);
 }
 
 void exportObj(const std::filesystem::path& path, const SurfaceMesh& surface) {

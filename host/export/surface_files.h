@@ -5,13 +5,13 @@
 
 namespace morphgrid {
 
-// Text files whose numbers read back as the same doubles. Both throw InputError naming the path
-// when the disk refuses.
+// Vertices read back as the same doubles. Both throw InputError naming the path when the disk
+// refuses.
 
-/// PLY: vertices with double x y z nx ny nz, triangles as vertex_indices.
+/// Binary PLY: vertices with double x y z and float nx ny nz, triangles as vertex_indices.
 void exportPly(const std::filesystem::path& path, const SurfaceMesh& surface);
 
-/// OBJ: v, vn, and triangles as f a//a b//b c//c.
+/// OBJ, text: v, vn, and triangles as f a//a b//b c//c.
 void exportObj(const std::filesystem::path& path, const SurfaceMesh& surface);
 
 }  // namespace morphgrid

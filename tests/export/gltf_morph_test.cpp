@@ -6,9 +6,9 @@
 
 #include "core/error.h"
 #include "export/bar_mesh.h"
+#include "export/tube_mesh.h"
 #include "tests/export/export_samples.h"
 #include "tests/export/gltf_files.h"
-#include "tests/support/strut_list.h"
 
 namespace morphgrid {
 namespace {
@@ -40,34 +40,45 @@ class GltfMorph : public testing::Test {
   std::vector<MorphMoment> timeline_{{0, 0}, {0.5, 0}, {1, 1}, {1.5, 2}, {2, 3}, {4, 3}};
 };
 
+/// What the nodes add to the vertices, in the scene's axes.
+Eigen::Vector3d originOfMorph(const tinygltf::Model& model) {
+  const std::vector<double>& moved = model.nodes.front().translation;
+  EXPECT_EQ(model.nodes.back().translation, moved);
+  return {moved.at(0), -moved.at(2), moved.at(1)};
+}
+
+/// The primitive's vertices at a key, where its node places them.
+Eigen::Matrix3Xd verticesAt(const tinygltf::Model& model, const tinygltf::Primitive& primitive,
+                            std::size_t key) {
+  Eigen::MatrixXf vertices = values<float>(model, primitive.attributes.at("POSITION"), 3);
+  if (key > 0) {
+    const int target = primitive.targets.at(key - 1).at("POSITION");
+    vertices += values<float>(model, target, 3);
+    expectBounds(model, target);
+  }
+  return vertices.cast<double>().colwise() + originOfMorph(model);
+}
+
+void expectNear(const Eigen::Matrix3Xd& found, const Eigen::Matrix3Xd& wanted) {
+  ASSERT_EQ(found.cols(), wanted.cols());
+  EXPECT_LT((found - wanted).cwiseAbs().maxCoeff(), 1e-5);
+}
+
 TEST_F(GltfMorph, KeysAreTheMeshPlusATarget) {
   const tinygltf::Model model = roundTrip();
-  const tinygltf::Primitive& lines = onlyPrimitive(model, "struts");
+  const tinygltf::Primitive& tubes = onlyPrimitive(model, "struts");
   const tinygltf::Primitive& surface = onlyPrimitive(model, "surface");
-  ASSERT_EQ(lines.targets.size(), 3);
+  ASSERT_EQ(tubes.targets.size(), 3);
   ASSERT_EQ(surface.targets.size(), 3);
-  const std::vector<Strut> struts = listStruts(kShape);
-  const Eigen::MatrixXf ends = values<float>(model, lines.attributes.at("POSITION"), 3);
-  const Eigen::MatrixXf vertices = values<float>(model, surface.attributes.at("POSITION"), 3);
   const Eigen::MatrixXf normals = values<float>(model, surface.attributes.at("NORMAL"), 3);
-  EXPECT_EQ(ends.col(1), keys_[0].positions.col(struts[0].to).cast<float>());
-  EXPECT_EQ(vertices, keys_[0].surface.vertices.cast<float>());
+  for (std::size_t n = 0; n < keys_.size(); ++n) {
+    expectNear(verticesAt(model, tubes, n), tubeVertices(sample_.grid, keys_[n].positions));
+    expectNear(verticesAt(model, surface, n), keys_[n].surface.vertices);
+  }
   for (std::size_t n = 0; n < 3; ++n) {
-    const int endsTarget = lines.targets[n].at("POSITION");
-    const Eigen::MatrixXf moved = ends + values<float>(model, endsTarget, 3);
-    ASSERT_EQ(moved.cols(), 2 * struts.size());
-    for (std::size_t i = 0; i < struts.size(); ++i) {
-      EXPECT_EQ(moved.col(2 * i), keys_[n + 1].positions.col(struts[i].from).cast<float>());
-      EXPECT_EQ(moved.col(2 * i + 1), keys_[n + 1].positions.col(struts[i].to).cast<float>());
-    }
-    const int verticesTarget = surface.targets[n].at("POSITION");
-    const Eigen::MatrixXf bent = vertices + values<float>(model, verticesTarget, 3);
-    EXPECT_LT((bent - keys_[n + 1].surface.vertices.cast<float>()).norm(), 1e-5 * bent.norm());
     const Eigen::MatrixXf turned =
         normals + values<float>(model, surface.targets[n].at("NORMAL"), 3);
     EXPECT_LT((turned - keys_[n + 1].surface.normals.cast<float>()).norm(), 1e-5);
-    expectBounds(model, endsTarget);
-    expectBounds(model, verticesTarget);
   }
 }
 
@@ -108,12 +119,8 @@ TEST_F(GltfMorph, OfAFrameMovesItsBars) {
   const tinygltf::Primitive& bars = onlyPrimitive(model, "struts");
   EXPECT_EQ(bars.mode, TINYGLTF_MODE_TRIANGLES);
   ASSERT_EQ(bars.targets.size(), 1);
-  const Eigen::MatrixXf begin = values<float>(model, bars.attributes.at("POSITION"), 3);
-  const Eigen::MatrixXf end = begin + values<float>(model, bars.targets[0].at("POSITION"), 3);
-  EXPECT_EQ(begin, barVertices(frame.grid, frame.grid.positions, unturned).cast<float>());
-  const Eigen::MatrixXf wanted =
-      barVertices(frame.grid, frame.positions, frame.rotations).cast<float>();
-  EXPECT_LT((end - wanted).norm(), 1e-5 * wanted.norm());
+  expectNear(verticesAt(model, bars, 0), barVertices(frame.grid, frame.grid.positions, unturned));
+  expectNear(verticesAt(model, bars, 1), barVertices(frame.grid, frame.positions, frame.rotations));
 }
 
 TEST_F(GltfMorph, NumbersThatAreNoFloatsAreRefused) {

@@ -3,11 +3,14 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
+#include <cmath>
 #include <cstring>
 #include <limits>
 
 #include "core/error.h"
 #include "export/bar_mesh.h"
+#include "export/gltf_struts.h"
+#include "export/tube_mesh.h"
 #include "grid/strain.h"
 #include "shared/strain_color.h"
 #include "tests/export/export_samples.h"
@@ -27,26 +30,68 @@ tinygltf::Model roundTrip(const ExportSample& sample) {
 class Gltf : public testing::TestWithParam<GridShape> {};
 INSTANTIATE_TEST_SUITE_P(Shapes, Gltf, testing::ValuesIn(kSampleShapes), shapeName);
 
-TEST_P(Gltf, StrutsKeepTheirEndsAndColors) {
+/// What the node of either mesh adds to its vertices, in the scene's axes.
+Eigen::Vector3d originOf(const tinygltf::Model& model) {
+  const std::vector<double>& moved = model.nodes.front().translation;
+  EXPECT_EQ(model.nodes.back().translation, moved);
+  return {moved.at(0), -moved.at(2), moved.at(1)};
+}
+
+/// glTF's vertex colours are light, of which displays show about the 2.2th root.
+Eigen::Vector3f displayed(const Eigen::Vector3f& light) {
+  return light.unaryExpr([](float value) {
+    return value <= 0.0031308F ? 12.92F * value : 1.055F * std::pow(value, 1 / 2.4F) - 0.055F;
+  });
+}
+
+void expectStrainColors(const tinygltf::Model& model, const ExportSample& sample, int perStrut) {
+  const tinygltf::Primitive& struts = onlyPrimitive(model, "struts");
+  const Eigen::MatrixXf colors = values<float>(model, struts.attributes.at("COLOR_0"), 3);
+  const std::vector<double> strutStrains = strains(sample.grid, sample.positions);
+  ASSERT_EQ(colors.cols(), perStrut * strutStrains.size());
+  for (Eigen::Index n = 0; n < colors.cols(); ++n) {
+    const vec3 color = strainColor(static_cast<float>(strutStrains[n / perStrut]));
+    ASSERT_LT((displayed(colors.col(n)) - Eigen::Vector3f(color.r, color.g, color.b)).norm(), 1e-5)
+        << n;
+  }
+}
+
+TEST_P(Gltf, StrutsOfSpringsAreTubesInTheColorOfTheirStrain) {
   const ExportSample sample = exportSample(GetParam());
+  const tinygltf::Model model = roundTrip(sample);
+  const tinygltf::Primitive& tubes = onlyPrimitive(model, "struts");
+  EXPECT_EQ(tubes.mode, TINYGLTF_MODE_TRIANGLES);
+  EXPECT_TRUE(model.extensionsUsed.empty());
+  const Eigen::MatrixXf vertices = values<float>(model, tubes.attributes.at("POSITION"), 3);
+  const Eigen::Matrix3Xd wanted = tubeVertices(sample.grid, sample.positions);
+  ASSERT_EQ(vertices.cols(), wanted.cols());
+  EXPECT_LT(((vertices.cast<double>().colwise() + originOf(model)) - wanted).cwiseAbs().maxCoeff(),
+            1e-6);
+  EXPECT_EQ(values<int>(model, tubes.indices, 1),
+            tubeTriangles(sample.grid.shape).reshaped().transpose());
+  expectStrainColors(model, sample, kTubeMeshVertices);
+  expectBounds(model, tubes.attributes.at("POSITION"));
+}
+
+TEST(LargeGltf, StrutsAreLines) {
+  const ExportSample sample = exportSample({200, 130, 1});
+  ASSERT_GT(sample.grid.shape.strutCount(), kMostSolidStruts);
   const tinygltf::Model model = roundTrip(sample);
   const tinygltf::Primitive& lines = onlyPrimitive(model, "struts");
   EXPECT_EQ(lines.mode, TINYGLTF_MODE_LINE);
   EXPECT_EQ(lines.indices, -1);
+  EXPECT_EQ(model.extensionsUsed, std::vector<std::string>{"KHR_materials_unlit"});
   const Eigen::MatrixXf ends = values<float>(model, lines.attributes.at("POSITION"), 3);
-  const Eigen::MatrixXf colors = values<float>(model, lines.attributes.at("COLOR_0"), 3);
   const std::vector<Strut> struts = listStruts(sample.grid.shape);
-  const std::vector<double> strutStrains = strains(sample.grid, sample.positions);
   ASSERT_EQ(ends.cols(), 2 * struts.size());
-  ASSERT_EQ(colors.cols(), ends.cols());
+  const Eigen::Vector3d origin = originOf(model);
   for (std::size_t i = 0; i < struts.size(); ++i) {
-    EXPECT_EQ(ends.col(2 * i), sample.positions.col(struts[i].from).cast<float>());
-    EXPECT_EQ(ends.col(2 * i + 1), sample.positions.col(struts[i].to).cast<float>());
-    const vec3 color = strainColor(static_cast<float>(strutStrains[i]));
-    EXPECT_EQ(colors.col(2 * i), Eigen::Vector3f(color.r, color.g, color.b));
-    EXPECT_EQ(colors.col(2 * i + 1), colors.col(2 * i));
+    const Eigen::Vector3d from = sample.positions.col(struts[i].from) - origin;
+    ASSERT_EQ(ends.col(2 * i), from.cast<float>());
+    const Eigen::Vector3d to = sample.positions.col(struts[i].to) - origin;
+    ASSERT_EQ(ends.col(2 * i + 1), to.cast<float>());
   }
-  expectBounds(model, lines.attributes.at("POSITION"));
+  expectStrainColors(model, sample, 2);
 }
 
 TEST_P(Gltf, SurfaceKeepsItsNumbers) {
@@ -55,12 +100,26 @@ TEST_P(Gltf, SurfaceKeepsItsNumbers) {
   const tinygltf::Primitive& mesh = onlyPrimitive(model, "surface");
   EXPECT_EQ(mesh.mode, TINYGLTF_MODE_TRIANGLES);
   EXPECT_EQ(values<float>(model, mesh.attributes.at("POSITION"), 3),
-            sample.surface.vertices.cast<float>());
+            (sample.surface.vertices.colwise() - originOf(model)).cast<float>());
   EXPECT_EQ(values<float>(model, mesh.attributes.at("NORMAL"), 3),
             sample.surface.normals.cast<float>());
   EXPECT_EQ(values<int>(model, mesh.indices, 1), sample.surface.triangles.reshaped().transpose());
   EXPECT_TRUE(model.materials.at(mesh.material).doubleSided);
   expectBounds(model, mesh.attributes.at("POSITION"));
+}
+
+/// A part of 4 m in metres of a map's grid, where floats are 0.5 m apart.
+TEST(GltfFile, FarFromTheOriginNothingCollapses) {
+  ExportSample sample = exportSample({5, 4, 2});
+  const Eigen::Vector3d away(447'000, 5'411'000, 312);
+  sample.positions.colwise() += away;
+  sample.grid.positions.colwise() += away;
+  sample.surface.vertices.colwise() += away;
+  const tinygltf::Model model = roundTrip(sample);
+  const tinygltf::Primitive& surface = onlyPrimitive(model, "surface");
+  const Eigen::MatrixXf vertices = values<float>(model, surface.attributes.at("POSITION"), 3);
+  const Eigen::Matrix3Xd placed = vertices.cast<double>().colwise() + originOf(model);
+  EXPECT_LT((placed - sample.surface.vertices).cwiseAbs().maxCoeff(), 1e-6);
 }
 
 TEST(GltfFile, SceneShowsBothNodesWithTheirZUp) {
@@ -86,16 +145,13 @@ TEST(FrameGltf, StrutsAreTheirBarsInTheColorOfTheirStrain) {
   EXPECT_EQ(bars.mode, TINYGLTF_MODE_TRIANGLES);
   EXPECT_FALSE(model.materials.at(bars.material).extensions.contains("KHR_materials_unlit"));
   const Eigen::MatrixXf vertices = values<float>(model, bars.attributes.at("POSITION"), 3);
-  EXPECT_EQ(vertices, barVertices(sample.grid, sample.positions, sample.rotations).cast<float>());
+  const Eigen::Matrix3Xd wanted = barVertices(sample.grid, sample.positions, sample.rotations);
+  ASSERT_EQ(vertices.cols(), wanted.cols());
+  EXPECT_LT(((vertices.cast<double>().colwise() + originOf(model)) - wanted).cwiseAbs().maxCoeff(),
+            1e-6);
   EXPECT_EQ(values<int>(model, bars.indices, 1),
             barTriangles(sample.grid.shape).reshaped().transpose());
-  const Eigen::MatrixXf colors = values<float>(model, bars.attributes.at("COLOR_0"), 3);
-  ASSERT_EQ(colors.cols(), vertices.cols());
-  const std::vector<double> strutStrains = strains(sample.grid, sample.positions);
-  for (Eigen::Index n = 0; n < colors.cols(); ++n) {
-    const vec3 color = strainColor(static_cast<float>(strutStrains[n / kBarMeshVertices]));
-    ASSERT_EQ(colors.col(n), Eigen::Vector3f(color.r, color.g, color.b)) << n;
-  }
+  expectStrainColors(model, sample, kBarMeshVertices);
   expectBounds(model, bars.attributes.at("POSITION"));
 }
 
