@@ -180,6 +180,6 @@ class GltfReader {
 
 }  // namespace
 
-TriangleMesh readGltf(const MeshSource& source) { return GltfReader(source).read(); }
+NotedMesh readGltf(const MeshSource& source) { return {GltfReader(source).read(), {}}; }
 
 }  // namespace morphgrid

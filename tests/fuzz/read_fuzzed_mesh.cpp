@@ -49,7 +49,7 @@ void readFuzzedMesh(std::string_view input) {
   const auto file = fileOf(input.empty() ? '\0' : input.front());
   if (!file) return;
   try {
-    requireSound(readMesh({*file, input.substr(1)}));
+    requireSound(readMesh({*file, input.substr(1)}).mesh);
   } catch (const InputError& error) {
     // What a broken glTF file calls a buffer file is named alone.
     if (file->extension() != ".gltf") requireReadable(error.what(), *file);
