@@ -13,14 +13,15 @@ namespace {
 
 /// Notices begin with the file's name.
 NotedMesh loadConfigured(const MeshConfiguration& configuration) {
-  NotedMesh loaded = loadMesh(configuration.mesh);
+  const NotedMesh loaded = loadMesh(configuration.mesh);
   try {
-    loaded.mesh = transformed(configuration.worldFromMesh,
-                              subdivideLoop(loaded.mesh, configuration.subdivisions));
-    for (std::string& notice : loaded.notices) {
+    NotedMesh mesh = subdivideLoop(loaded.mesh, configuration.subdivisions);
+    mesh.mesh = transformed(configuration.worldFromMesh, std::move(mesh.mesh));
+    mesh.notices.insert(mesh.notices.begin(), loaded.notices.begin(), loaded.notices.end());
+    for (std::string& notice : mesh.notices) {
       notice = fmt::format("{}: {}", configuration.mesh.string(), notice);
     }
-    return loaded;
+    return mesh;
   } catch (const InputError& error) {
     throw InputError(fmt::format("{}: {}", configuration.mesh.string(), error.what()));
   }
