@@ -49,8 +49,9 @@ void requireSound(const NotedMesh& noted) {
   std::ranges::for_each(noted.notices, requireReadable);
 }
 
-/// Its errors have no place.
+/// Errors have no place. Large meshes, of nodes that repeat theirs, take long and show no more.
 void subdivideFuzzed(const TriangleMesh& mesh) {
+  if (mesh.triangles.cols() > 2000) return;
   try {
     requireSound(subdivideLoop(mesh, 1));
   } catch (const InputError& error) {
