@@ -262,6 +262,31 @@ TEST(SubdivideLoop, CutsFinsOff) {
   EXPECT_TRUE(subdivideLoop(flatSquare(4), 1).notices.empty());
 }
 
+/// Of the triangles in the plane z = 2.
+double flatArea(const TriangleMesh& mesh) {
+  double area = 0;
+  for (const auto& t : mesh.triangles.colwise()) {
+    const Eigen::Matrix3d corners = mesh.vertices(Eigen::all, t);
+    if ((corners.row(2).array() != 2).any()) continue;
+    area += (corners.col(1) - corners.col(0)).cross(corners.col(2) - corners.col(0)).z() / 2;
+  }
+  return area;
+}
+
+/// A fin on several edges in a row slits the sheet below it: both sides become the same curve.
+TEST(SubdivideLoop, LeavesNoGapBelowAFin) {
+  TriangleMesh fin = flatSquare(6);
+  fin.vertices.conservativeResize(3, 50);
+  fin.vertices.col(49) << 3, 3, 5;
+  fin.triangles.conservativeResize(3, 75);
+  fin.triangles.col(72) << 22, 23, 49;
+  fin.triangles.col(73) << 23, 24, 49;
+  fin.triangles.col(74) << 24, 25, 49;
+  const NotedMesh subdivided = subdivideLoop(fin, 2);
+  EXPECT_THAT(subdivided.notices, testing::ElementsAre(testing::HasSubstr("along 3 edges")));
+  EXPECT_NEAR(flatArea(subdivided.mesh), flatArea(subdivideLoop(flatSquare(6), 2).mesh), 1e-12);
+}
+
 TEST(SubdivideLoop, CutsWhereSheetsCross) {
   const TriangleMesh fan = meshOf({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0.5, 0, 1}},
                                   {{0, 1, 2}, {1, 0, 3}, {0, 1, 4}});
