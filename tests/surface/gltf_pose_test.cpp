@@ -45,6 +45,25 @@ TEST(GltfSparse, ReplacesZerosWithoutABufferView) {
   EXPECT_EQ(mesh.vertices.col(2), Vector3d(0, 0, 0));
 }
 
+TEST(GltfSparse, IndicesMayHaveNoBufferViewEither) {
+  json gltf = square();
+  std::string bytes = squareBytes();
+  addAccessor(gltf, bytes, bytesOf<std::uint16_t, std::uint16_t>(1, 2), "SCALAR", kUnsignedShort,
+              2);
+  gltf["accessors"].erase(2);
+  json& indices = gltf["accessors"][1];
+  indices.erase("bufferView");
+  indices["count"] = 3;
+  const json part = {{"bufferView", 2}, {"componentType", kUnsignedShort}};
+  indices["sparse"] = {{"count", 2}, {"indices", part}, {"values", part}};
+  EXPECT_EQ(meshOfGltf(gltf, bytes).triangles, Eigen::Vector3i(0, 1, 2));
+  indices.erase("sparse");
+  EXPECT_EQ(meshOfGltf(gltf, bytes).triangles, Eigen::Vector3i(0, 0, 0));
+  gltf["accessors"][0]["bufferView"] = 3;  // One that was there for a while.
+  EXPECT_EQ(problemOfGltf(gltf, bytes),
+            "a.glb: buffer view 3 does not exist, there are 3 (counted from 0)");
+}
+
 TEST(GltfSparse, RefusesWhatIsOutOfRange) {
   struct Case {
     const char* place;
