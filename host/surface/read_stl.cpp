@@ -20,7 +20,7 @@ const std::size_t kFacetsOffset = 84;
 const std::size_t kFacetBytes = 50;
 const std::size_t kNormalBytes = 12;
 
-/// What a conversion of text makes of bytes that are none: U+FFFD in UTF-8.
+/// What a conversion of text makes of bytes above 127 that are none: U+FFFD in UTF-8.
 const std::string_view kReplacement = "\xef\xbf\xbd";
 
 /// Three corners a facet, in turn; nothing is shared.
@@ -41,14 +41,25 @@ std::size_t binarySize(std::string_view bytes) {
   return kFacetsOffset + kFacetBytes * std::size_t{facets};
 }
 
+/// Whether bytes above 127 occur as replacements alone.
+bool wasConvertedAsText(std::string_view bytes) {
+  bool hasReplacement = false;
+  for (std::size_t i = 0; i < bytes.size(); ++i) {
+    if (static_cast<unsigned char>(bytes[i]) < 128) continue;
+    if (bytes.substr(i, kReplacement.size()) != kReplacement) return false;
+    hasReplacement = true;
+    i += kReplacement.size() - 1;
+  }
+  return hasReplacement;
+}
+
 /// More than its size may follow: modellers add blocks of their own. What grew because it was
 /// converted as text is damaged.
 std::vector<std::string> noticesBehind(const MeshSource& source, std::size_t size) {
   const std::size_t left = source.bytes.size() - size;
   if (left == 0) return {};
-  const std::size_t replaced = source.bytes.find(kReplacement, kFacetsOffset);
-  if (replaced < size) {
-    throw source.errorAtByte(replaced,
+  if (wasConvertedAsText(source.bytes.substr(kFacetsOffset))) {
+    throw source.errorAtByte(source.bytes.find(kReplacement, kFacetsOffset),
                              "the binary STL file was converted as if it were text: bytes of it "
                              "were replaced by U+FFFD");
   }

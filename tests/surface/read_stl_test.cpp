@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cctype>
 #include <cstdint>
 #include <limits>
@@ -68,10 +69,15 @@ TEST(ReadStl, TellsOfBytesBehindTheFacets) {
 
 TEST(ReadStl, RefusesBinaryFilesThatWereConvertedAsText) {
   std::string file = binary(1, facetOf(0.5));
+  std::ranges::replace_if(
+      file, [](char byte) { return byte < 0; }, '\0');
   file.replace(100, 1, "\xef\xbf\xbd");
   EXPECT_EQ(problemOf("a.stl", file),
             "a.stl: byte 100: the binary STL file was converted as if it were text: bytes of it "
             "were replaced by U+FFFD");
+  file[110] = '\xbf';  // As in floats: what follows was no conversion's.
+  EXPECT_EQ(noticesOf("a.stl", file),
+            "passed over 2 bytes behind the 1 facet that the header counts");
 }
 
 TEST(ReadStl, ReadsBinary) {
