@@ -118,7 +118,8 @@ SceneDesign designFor(const Scene& scene, const std::shared_ptr<const Target>& t
                        stack,
                        {},
                        sampler->meshFigures(),
-                       size.notices};
+                       target->notices()};
+  designed.notices.insert(designed.notices.end(), size.notices.begin(), size.notices.end());
   if (request.layout == Layout::conformal) {
     layOut(designed, shrinkRangeOf(scene), cancellation);
   }

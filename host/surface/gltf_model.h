@@ -4,16 +4,22 @@
 
 #include <vector>
 
-#include "surface/mesh_source.h"
+#include "surface/gltf_buffers.h"
 
 namespace morphgrid {
 
-/// Reads a glTF or GLB file with its buffers, and of its JSON only what places triangles:
-/// no images, materials, animations, extensions. Indices and ranges are as in the file, unchecked.
-/// Throws InputError.
-tinygltf::Model readGltfModel(const MeshSource& source);
+/// A glTF or GLB file, of its JSON only what places triangles, and its buffers. Indices and ranges
+/// are as in the file, unchecked. It refers to its source.
+struct GltfModel {
+  const MeshSource& source;
+  tinygltf::Model items;  ///< Without buffers.
+  GltfBuffers buffers;
+};
 
-/// An item of the model by its index. Throws InputError when there is none.
+/// Throws InputError.
+GltfModel readGltfModel(const MeshSource& source);
+
+/// An item of a model by its index. Throws InputError when there is none.
 template <typename Item>
 const Item& itemAt(const MeshSource& source, const std::vector<Item>& items, int index,
                    const char* name) {

@@ -4,143 +4,144 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
-#include <cstring>
-#include <initializer_list>
-#include <limits>
+#include <numeric>
 
-#include "surface/gltf_model.h"
+#include "surface/gltf_elements.h"
 
 namespace morphgrid {
 namespace {
 
+/// Nodes may show a mesh again and again: so many values for each byte of the file.
+const std::size_t kMostValuesPerByte = 100;
+
+/// An accessor's own error; -> "accessor 3: what".
 InputError accessorError(const MeshSource& source, int accessor, std::string_view what) {
   return source.error(fmt::format("accessor {}: {}", accessor, what));
 }
 
-/// Where an accessor's elements are.
-struct Elements {
-  const unsigned char* begin;
-  std::size_t stride;
-  std::size_t count;
-};
-
-/// The sizes come from the file, up to 2^64: sums could wrap around.
-Elements locate(const MeshSource& source, const tinygltf::Model& model, int index) {
-  const tinygltf::Accessor& accessor = model.accessors[index];
-  if (accessor.sparse.isSparse || accessor.bufferView < 0) {
-    throw accessorError(source, index, "sparse ones and ones without a buffer view cannot be read");
-  }
-  const auto& view = itemAt(source, model.bufferViews, accessor.bufferView, "buffer view");
-  const auto& bytes = itemAt(source, model.buffers, view.buffer, "buffer").data;
-  if (view.byteOffset > bytes.size() || view.byteLength > bytes.size() - view.byteOffset) {
-    throw source.error(fmt::format("buffer view {}: {} bytes from byte {} on, the buffer has {}",
-                                   accessor.bufferView, view.byteLength, view.byteOffset,
-                                   bytes.size()));
-  }
-  const std::size_t elementBytes = tinygltf::GetComponentSizeInBytes(accessor.componentType) *
-                                   tinygltf::GetNumComponentsInType(accessor.type);
-  const std::size_t stride = view.byteStride > 0 ? view.byteStride : elementBytes;
-  const std::size_t left = view.byteLength - std::min(accessor.byteOffset, view.byteLength);
-  const std::size_t most = left < elementBytes ? 0 : (left - elementBytes) / stride + 1;
-  if (accessor.count > most) {
-    throw accessorError(source, index,
-                        fmt::format("{} elements, its buffer view holds {} from byte {} on",
-                                    accessor.count, most, accessor.byteOffset));
-  }
-  return {bytes.data() + view.byteOffset + (most > 0 ? accessor.byteOffset : 0), stride,
-          accessor.count};
-}
-
-void requireType(const MeshSource& source, const tinygltf::Model& model, int index, int type,
-                 std::initializer_list<int> componentTypes, std::string_view wanted) {
-  const auto& accessor = itemAt(source, model.accessors, index, "accessor");
-  if (accessor.type == type &&
-      std::ranges::find(componentTypes, accessor.componentType) != componentTypes.end()) {
+void requireKind(const GltfModel& model, int index, const GltfKind& kind) {
+  const auto& accessor = itemAt(model.source, model.items.accessors, index, "accessor");
+  if (accessor.type == kind.type &&
+      std::ranges::find(kind.componentTypes, accessor.componentType) != kind.componentTypes.end()) {
     return;
   }
-  throw accessorError(source, index, wanted);
-}
-
-template <typename Value>
-Value valueAt(const unsigned char* bytes) {
-  Value value;
-  std::memcpy(&value, bytes, sizeof(value));
-  return value;
-}
-
-/// Normalised, the greatest value of the type stands for 1, and the least for -1 where it has
-/// signs.
-template <typename Value>
-double integerAt(const unsigned char* bytes, bool isNormalized) {
-  const double value = valueAt<Value>(bytes);
-  return isNormalized ? std::max(value / std::numeric_limits<Value>::max(), -1.0) : value;
-}
-
-double componentAt(const unsigned char* bytes, int componentType, bool isNormalized) {
-  switch (componentType) {
-    case TINYGLTF_COMPONENT_TYPE_BYTE:
-      return integerAt<std::int8_t>(bytes, isNormalized);
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
-      return integerAt<std::uint8_t>(bytes, isNormalized);
-    case TINYGLTF_COMPONENT_TYPE_SHORT:
-      return integerAt<std::int16_t>(bytes, isNormalized);
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT:
-      return integerAt<std::uint16_t>(bytes, isNormalized);
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT:
-      return integerAt<std::uint32_t>(bytes, isNormalized);
-    default:
-      return valueAt<float>(bytes);
-  }
+  throw accessorError(model.source, index, kind.wanted);
 }
 
 }  // namespace
 
-std::vector<double> readVectors(const MeshSource& source, const tinygltf::Model& model, int index) {
-  requireType(source, model, index, TINYGLTF_TYPE_VEC3,
-              {TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_COMPONENT_TYPE_BYTE,
-               TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE, TINYGLTF_COMPONENT_TYPE_SHORT,
-               TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT},
-              "positions must be VEC3 of floats, bytes or shorts");
-  const tinygltf::Accessor& accessor = model.accessors[index];
-  const Elements elements = locate(source, model, index);
-  const int size = tinygltf::GetComponentSizeInBytes(accessor.componentType);
-  std::vector<double> coordinates;
-  coordinates.reserve(3 * elements.count);
-  for (std::size_t i = 0; i < elements.count; ++i) {
-    for (int j = 0; j < 3; ++j) {
-      const double value = componentAt(elements.begin + elements.stride * i + size * j,
-                                       accessor.componentType, accessor.normalized);
-      if (!std::isfinite(value)) {
-        throw accessorError(
-            source, index, fmt::format("element {}: coordinates must be finite, got {}", i, value));
-      }
-      coordinates.push_back(value);
-    }
-  }
-  return coordinates;
+const GltfKind kGltfPositions = {
+    TINYGLTF_TYPE_VEC3,
+    {TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_COMPONENT_TYPE_BYTE,
+     TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE, TINYGLTF_COMPONENT_TYPE_SHORT,
+     TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT},
+    "positions must be VEC3 of floats, bytes or shorts"};
+
+const GltfKind kGltfIndices = {
+    TINYGLTF_TYPE_SCALAR,
+    {TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE, TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT,
+     TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT},
+    "indices must be SCALAR, unsigned bytes, shorts or ints"};
+
+const GltfKind kGltfJoints = {
+    TINYGLTF_TYPE_VEC4,
+    {TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE, TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT},
+    "joints must be VEC4 of unsigned bytes or shorts"};
+
+const GltfKind kGltfWeights = {
+    TINYGLTF_TYPE_VEC4,
+    {TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE,
+     TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT},
+    "weights must be VEC4 of floats, unsigned bytes or shorts"};
+
+const GltfKind kGltfMatrices = {TINYGLTF_TYPE_MAT4,
+                                {TINYGLTF_COMPONENT_TYPE_FLOAT},
+                                "inverse bind matrices must be MAT4 of floats"};
+
+GltfValues::GltfValues(const GltfModel& model) : model_(model) {
+  for (const std::string_view buffer : model.buffers.bytes()) valuesLeft_ += buffer.size();
+  valuesLeft_ =
+      std::min(kMostValuesPerByte * (valuesLeft_ + model.source.bytes.size()), kMostMeshBytes);
 }
 
-std::vector<int> readIndices(const MeshSource& source, const tinygltf::Model& model, int index,
-                             std::size_t vertexCount) {
-  requireType(source, model, index, TINYGLTF_TYPE_SCALAR,
-              {TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE, TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT,
-               TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT},
-              "indices must be SCALAR, unsigned bytes, shorts or ints");
-  const Elements elements = locate(source, model, index);
-  std::vector<int> indices;
-  indices.reserve(elements.count);
-  for (std::size_t i = 0; i < elements.count; ++i) {
-    const double value = componentAt(elements.begin + elements.stride * i,
-                                     model.accessors[index].componentType, false);
-    if (value >= static_cast<double>(vertexCount)) {
-      throw accessorError(source, index,
-                          fmt::format("element {}: vertex {} does not exist, there are 0 to {}", i,
-                                      value, static_cast<double>(vertexCount) - 1));
-    }
-    indices.push_back(static_cast<int>(value));
+std::vector<double> GltfValues::read(int index, const GltfKind& kind) {
+  requireKind(model_, index, kind);
+  const tinygltf::Accessor& accessor = model_.items.accessors[index];
+  const int componentCount = tinygltf::GetNumComponentsInType(accessor.type);
+  const std::string owner = fmt::format("accessor {}", index);
+  GltfElements elements{nullptr, 0, 0};
+  if (accessor.bufferView >= 0) {
+    elements = locateElements(model_, owner, accessor.bufferView, accessor.byteOffset,
+                              {accessor.count, accessor.componentType, componentCount});
   }
-  return indices;
+  requireRoom(accessor.count > kMostMeshBytes ? kMostMeshBytes : accessor.count * componentCount);
+  std::vector<double> values(accessor.count * componentCount);
+  for (std::size_t i = 0; i < elements.count * componentCount; ++i) {
+    values[i] = elements.component(i / componentCount, static_cast<int>(i % componentCount),
+                                   accessor.componentType, accessor.normalized);
+  }
+  if (accessor.sparse.isSparse) placeSparse(index, componentCount, values);
+  const auto bad = std::ranges::find_if(values, [](double value) { return !std::isfinite(value); });
+  if (bad != values.end()) {
+    throw accessorError(model_.source, index,
+                        fmt::format("element {}: numbers must be finite, got {}",
+                                    (bad - values.begin()) / componentCount, *bad));
+  }
+  return values;
+}
+
+void GltfValues::placeSparse(int index, int componentCount, std::vector<double>& values) const {
+  const tinygltf::Accessor& accessor = model_.items.accessors[index];
+  const auto& [count, isSparse, places, replaced] = accessor.sparse;
+  const std::string owner = fmt::format("accessor {}, sparse", index);
+  if (count < 0 || places.byteOffset < 0 || replaced.byteOffset < 0) {
+    throw model_.source.error(owner + ": count and byte offsets must be >= 0");
+  }
+  const auto size = static_cast<std::size_t>(count);
+  if (std::ranges::find(kGltfIndices.componentTypes, places.componentType) ==
+      kGltfIndices.componentTypes.end()) {
+    throw model_.source.error(fmt::format("{}: {}", owner, kGltfIndices.wanted));
+  }
+  const GltfElements from = locateElements(model_, owner, places.bufferView, places.byteOffset,
+                                           {size, places.componentType, 1});
+  const GltfElements to = locateElements(model_, owner, replaced.bufferView, replaced.byteOffset,
+                                         {size, accessor.componentType, componentCount});
+  for (std::size_t i = 0; i < size; ++i) {
+    const double place = from.component(i, 0, places.componentType, false);
+    if (place >= static_cast<double>(accessor.count)) {
+      throw model_.source.error(
+          fmt::format("{}: element {} does not exist, there are {}", owner, place, accessor.count));
+    }
+    for (int j = 0; j < componentCount; ++j) {
+      values[static_cast<std::size_t>(place) * componentCount + j] =
+          to.component(i, j, accessor.componentType, accessor.normalized);
+    }
+  }
+}
+
+std::vector<int> GltfValues::readIndices(int index, std::size_t vertexCount) {
+  const std::vector<double> values = read(index, kGltfIndices);
+  const auto bad = std::ranges::find_if(
+      values, [&](double value) { return value >= static_cast<double>(vertexCount); });
+  if (bad != values.end()) {
+    throw accessorError(
+        model_.source, index,
+        fmt::format("element {}: vertex {} does not exist, there are 0 to {}", bad - values.begin(),
+                    *bad, static_cast<double>(vertexCount) - 1));
+  }
+  return {values.begin(), values.end()};
+}
+
+std::size_t GltfValues::countOf(int index) const {
+  return itemAt(model_.source, model_.items.accessors, index, "accessor").count;
+}
+
+void GltfValues::requireRoom(std::size_t count) {
+  if (count > valuesLeft_) {
+    throw model_.source.error(
+        "has more values read, or its meshes repeated more often, than can be held in memory");
+  }
+  valuesLeft_ -= count;
 }
 
 }  // namespace morphgrid

@@ -1,14 +1,18 @@
 #pragma once
 #include <filesystem>
 
-#include "surface/triangle_mesh.h"
+#include "surface/noted_mesh.h"
 
 namespace morphgrid {
 
 /// Reads a mesh file: OBJ, STL (binary, ASCII), PLY (binary, ASCII), glTF or GLB, told apart by
-/// extension. Polygons are triangulated, the node transforms of glTF applied, all its meshes
-/// joined. Throws InputError, `file: what is wrong and where`, when the file is broken or holds no
-/// triangle; memory stays in proportion to the file's size.
-TriangleMesh loadMesh(const std::filesystem::path& file);
+/// extension. Polygons are triangulated; of a glTF file all meshes are joined as its scene shows
+/// them: nodes moved, joints posed, default morph weights applied. Throws InputError, `file: what
+/// is wrong and where`, when the file is broken or holds no triangle; memory stays in proportion to
+/// the file's size.
+NotedMesh loadMesh(const std::filesystem::path& file);
+
+/// Whether the file's name ends as those that loadMesh reads.
+bool isMeshName(const std::filesystem::path& file);
 
 }  // namespace morphgrid

@@ -6,6 +6,7 @@
 
 #include "core/key_place.h"
 #include "core/read_toml_key.h"
+#include "surface/load_mesh.h"
 
 namespace morphgrid {
 namespace {
@@ -108,6 +109,11 @@ bool MeshConfiguration::operator==(const MeshConfiguration& other) const {
 }
 
 MeshConfiguration readMeshConfiguration(const std::filesystem::path& file) {
+  if (isMeshName(file)) {
+    throw InputError(fmt::format(
+        "{}: is a mesh; a mesh configuration is due, a TOML file that says mesh = \"{}\"",
+        file.string(), file.filename().string()));
+  }
   TomlReader reader(file, parseToml(file));
   return readTopLevel(reader, meshConfigurationKeys());
 }

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <system_error>
 
 #include "core/read_file.h"
@@ -19,6 +20,15 @@ std::string printable(std::string_view text, std::size_t mostCharacters) {
   return result;
 }
 
+/// ASCII letters as UTF-16: every other byte is 0.
+bool hasTwoBytesALetter(std::string_view text) {
+  if (text.size() < 4 || (text[0] == '\0') == (text[1] == '\0')) return false;
+  for (std::size_t i = 2; i < text.size(); ++i) {
+    if ((text[i] == '\0') != (text[i - 2] == '\0')) return false;
+  }
+  return true;
+}
+
 }  // namespace
 
 InputError MeshSource::error(std::string_view what) const {
@@ -33,6 +43,20 @@ InputError MeshSource::errorAtByte(std::size_t offset, std::string_view what) co
   return error(fmt::format("byte {}: {}", offset, what));
 }
 
+void MeshSource::refuseUtf16() const {
+  using namespace std::string_view_literals;
+  const std::string_view start = bytes.substr(0, 2);
+  const bool isMarked = start == "\xff\xfe"sv || start == "\xfe\xff"sv;
+  if (isMarked || hasTwoBytesALetter(bytes.substr(0, 8))) {
+    throw error("is UTF-16 text, which cannot be read: save it as UTF-8");
+  }
+}
+
+InputError pointCloudError(const MeshSource& source, std::size_t points) {
+  return source.error(fmt::format("holds {} but no faces: a point cloud must be meshed first",
+                                  countOf(points, "point")));
+}
+
 std::string readMeshFile(const std::filesystem::path& file) {
   const MeshSource source{file, {}};
   std::error_code ignored;  // What does not exist or is a folder, readFile refuses.
@@ -43,6 +67,15 @@ std::string readMeshFile(const std::filesystem::path& file) {
     throw source.error(fmt::format("must be of {} bytes at most, got {}", kMostMeshBytes, size));
   }
   return readFile(file);
+}
+
+bool isSameWithoutCase(std::string_view a, std::string_view b) {
+  const auto lower = [](unsigned char c) { return std::tolower(c); };
+  return std::ranges::equal(a, b, {}, lower, lower);
+}
+
+std::string countOf(std::size_t count, std::string_view noun) {
+  return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
 }
 
 std::string inQuotes(std::string_view text) { return '"' + printable(text, 32) + '"'; }

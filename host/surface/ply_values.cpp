@@ -6,6 +6,11 @@
 #include <cstdint>
 
 namespace morphgrid {
+namespace {
+
+const char* const kEndsTooSoon = "the file ends before its last value";
+
+}  // namespace
 
 PlyValues::PlyValues(const MeshSource& source, PlyFormat format, TextReader text)
     : source_(source), format_(format), text_(text) {
@@ -14,7 +19,11 @@ PlyValues::PlyValues(const MeshSource& source, PlyFormat format, TextReader text
 }
 
 double PlyValues::next(PlyType type) {
-  if (isAscii()) return text_.number(text_.wordOfAnyLine(), "a value");
+  if (isAscii()) {
+    const std::string_view word = nextWord();
+    if (const auto value = parseNumber(word)) return *value;
+    throw error("a value must be a number, got " + inQuotes(word));
+  }
   switch (type) {
     case PlyType::int8:
       return nextBinary<std::int8_t>();
@@ -36,10 +45,29 @@ double PlyValues::next(PlyType type) {
   return 0;
 }
 
+void PlyValues::skip(PlyType type) {
+  if (isAscii()) {
+    nextWord();
+  } else {
+    requireBytes(byteCount(type));
+    offset_ += byteCount(type);
+  }
+}
+
+std::string_view PlyValues::nextWord() {
+  const std::string_view word = text_.wordOfAnyLine();
+  if (word.empty()) throw error(kEndsTooSoon);
+  return word;
+}
+
+void PlyValues::requireBytes(std::size_t count) const {
+  if (bytesLeft() < count) throw error(kEndsTooSoon);
+}
+
 template <typename Value>
 double PlyValues::nextBinary() {
   std::array<char, sizeof(Value)> bytes{};
-  if (bytesLeft() < bytes.size()) throw error("the file ends before its last value");
+  requireBytes(bytes.size());
   std::copy_n(source_.bytes.begin() + offset_, bytes.size(), bytes.begin());
   const bool isLittleEndian = format_ == PlyFormat::binaryLittleEndian;
   if (isLittleEndian != (std::endian::native == std::endian::little)) std::ranges::reverse(bytes);

@@ -9,9 +9,11 @@ class PlyValues {
   /// `text` stands behind the header.
   PlyValues(const MeshSource& source, PlyFormat format, TextReader text);
 
-  /// As a double: it holds every PLY type. Throws InputError at the end of the file, and when an
-  /// ASCII value is no finite number; binary ones may be NaN.
+  /// As a double: it holds every PLY type, and NaN. Throws InputError at the end of the file, and
+  /// when an ASCII value is no number.
   double next(PlyType type);
+  /// Passes over a value, whatever it says. Throws InputError at the end of the file.
+  void skip(PlyType type);
 
   /// Bytes that are left, of a line too.
   std::size_t bytesLeft() const;
@@ -26,6 +28,8 @@ class PlyValues {
 
  private:
   bool isAscii() const { return format_ == PlyFormat::ascii; }
+  std::string_view nextWord();
+  void requireBytes(std::size_t count) const;
   template <typename Value>
   double nextBinary();
 

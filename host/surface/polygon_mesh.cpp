@@ -1,7 +1,11 @@
 #include "surface/polygon_mesh.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <numeric>
+
+#include "surface/mesh_source.h"
 
 namespace morphgrid {
 namespace {
@@ -96,6 +100,21 @@ std::optional<BadCorner> findBadCorner(const PolygonMesh& polygons) {
     left -= polygons.cornerCounts[polygon++];
   }
   return BadCorner{polygon, *bad};
+}
+
+std::vector<int> trianglesOfStrip(std::span<const int> strip) {
+  std::vector<int> corners;
+  for (std::size_t i = 2; i < strip.size(); ++i) {
+    const std::size_t flip = i % 2;
+    const int a = strip[i - 2], b = strip[i - 1 + flip], c = strip[i - flip];
+    if (a != b && b != c && c != a) corners.insert(corners.end(), {a, b, c});
+  }
+  return corners;
+}
+
+std::vector<std::string> noticesOnFaces(std::size_t count) {
+  if (count == 0) return {};
+  return {fmt::format("passed over {} of fewer than three corners", countOf(count, "face"))};
 }
 
 TriangleMesh triangulate(const PolygonMesh& polygons) {

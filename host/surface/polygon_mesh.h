@@ -1,5 +1,7 @@
 #pragma once
 #include <optional>
+#include <span>
+#include <string>
 #include <vector>
 
 #include "surface/triangle_mesh.h"
@@ -21,6 +23,13 @@ struct BadCorner {
 };
 
 std::optional<BadCorner> findBadCorner(const PolygonMesh& polygons);
+
+/// The corners of a strip's triangles, which all face as the first does. Those that a strip turns
+/// with, of a corner twice, are left out.
+std::vector<int> trianglesOfStrip(std::span<const int> strip);
+
+/// What to tell of faces that no area can have: `count` of fewer than three corners.
+std::vector<std::string> noticesOnFaces(std::size_t count);
 
 /// Cuts polygons into triangles that face the same way: quads along the shorter diagonal that stays
 /// inside, others by clipping ears. Corners must be in range.

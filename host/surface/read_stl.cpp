@@ -20,6 +20,9 @@ const std::size_t kFacetsOffset = 84;
 const std::size_t kFacetBytes = 50;
 const std::size_t kNormalBytes = 12;
 
+/// What a conversion of text makes of bytes above 127 that are none: U+FFFD in UTF-8.
+const std::string_view kReplacement = "\xef\xbf\xbd";
+
 /// Three corners a facet, in turn; nothing is shared.
 TriangleMesh meshOfFacets(Eigen::Matrix3Xd corners) {
   TriangleMesh mesh;
@@ -38,8 +41,35 @@ std::size_t binarySize(std::string_view bytes) {
   return kFacetsOffset + kFacetBytes * std::size_t{facets};
 }
 
-TriangleMesh readBinary(const MeshSource& source) {
-  const std::size_t facets = (source.bytes.size() - kFacetsOffset) / kFacetBytes;
+/// Whether bytes above 127 occur as replacements alone.
+bool wasConvertedAsText(std::string_view bytes) {
+  bool hasReplacement = false;
+  for (std::size_t i = 0; i < bytes.size(); ++i) {
+    if (static_cast<unsigned char>(bytes[i]) < 128) continue;
+    if (bytes.substr(i, kReplacement.size()) != kReplacement) return false;
+    hasReplacement = true;
+    i += kReplacement.size() - 1;
+  }
+  return hasReplacement;
+}
+
+/// More than its size may follow: modellers add blocks of their own. What grew because it was
+/// converted as text is damaged.
+std::vector<std::string> noticesBehind(const MeshSource& source, std::size_t size) {
+  const std::size_t left = source.bytes.size() - size;
+  if (left == 0) return {};
+  if (wasConvertedAsText(source.bytes.substr(kFacetsOffset))) {
+    throw source.errorAtByte(source.bytes.find(kReplacement, kFacetsOffset),
+                             "the binary STL file was converted as if it were text: bytes of it "
+                             "were replaced by U+FFFD");
+  }
+  return {fmt::format("passed over {} behind the {} that the header counts", countOf(left, "byte"),
+                      countOf((size - kFacetsOffset) / kFacetBytes, "facet"))};
+}
+
+NotedMesh readBinary(const MeshSource& source, std::size_t size) {
+  const std::size_t facets = (size - kFacetsOffset) / kFacetBytes;
+  std::vector<std::string> notices = noticesBehind(source, size);
   Eigen::Matrix3Xd corners(3, 3 * facets);
   for (std::size_t i = 0; i < facets; ++i) {
     const std::size_t offset = kFacetsOffset + kFacetBytes * i + kNormalBytes;
@@ -50,11 +80,11 @@ TriangleMesh readBinary(const MeshSource& source) {
     }
     corners.middleCols<3>(3 * i) = facet.cast<double>();
   }
-  return meshOfFacets(std::move(corners));
+  return {meshOfFacets(std::move(corners)), std::move(notices)};
 }
 
-/// Reads `solid NAME`, facets and `endsolid NAME`, once or more. Normals are passed over: many
-/// files have wrong ones or none.
+/// Reads `solid NAME`, facets and `endsolid NAME`, once or more, in capitals or not. Normals are
+/// passed over: many files have wrong ones or none.
 class AsciiReader {
  public:
   explicit AsciiReader(const MeshSource& source) : text_(source) {}
@@ -72,14 +102,14 @@ class AsciiReader {
   void readSolid() {
     text_.skipLine();
     std::string_view word = text_.wordOfAnyLine();
-    for (; word == "facet"; word = text_.wordOfAnyLine()) readFacet();
+    for (; isSameWithoutCase(word, "facet"); word = text_.wordOfAnyLine()) readFacet();
     require("endsolid", word, "facet or ");
     text_.skipLine();
   }
 
   void readFacet() {
     std::string_view word = text_.wordOfAnyLine();
-    while (!word.empty() && word != "outer") word = text_.wordOfAnyLine();
+    while (!word.empty() && !isSameWithoutCase(word, "outer")) word = text_.wordOfAnyLine();
     require("outer", word);
     require("loop", text_.wordOfAnyLine());
     for (int corner = 0; corner < 3; ++corner) readCorner();
@@ -95,7 +125,7 @@ class AsciiReader {
   }
 
   void require(std::string_view wanted, std::string_view word, std::string_view before = "") const {
-    if (word == wanted) return;
+    if (isSameWithoutCase(word, wanted)) return;
     throw text_.error(fmt::format("{}{} expected, got {}", before, wanted,
                                   word.empty() ? "the end of the file" : inQuotes(word)));
   }
@@ -116,13 +146,16 @@ InputError sizeError(const MeshSource& source, std::size_t wanted) {
 
 }  // namespace
 
-TriangleMesh readStl(const MeshSource& source) {
-  // Binary files may begin with "solid" too: the size tells.
+NotedMesh readStl(const MeshSource& source) {
+  // Binary files may begin with "solid" too: their size tells, for no text counts so few facets.
   const std::size_t size = binarySize(source.bytes);
-  if (source.bytes.size() == size) return readBinary(source);
-  const std::size_t begin = source.bytes.find_first_not_of(" \t\r\n");
-  if (begin != std::string_view::npos && source.bytes.substr(begin).starts_with("solid")) {
-    return AsciiReader(source).read();
+  const bool hasFacets = size > kFacetsOffset;
+  if (source.bytes.size() == size || (source.bytes.size() > size && hasFacets)) {
+    return readBinary(source, size);
+  }
+  TextReader text(source);
+  if (isSameWithoutCase(text.wordOfAnyLine().substr(0, 5), "solid")) {
+    return {AsciiReader(source).read(), {}};
   }
   throw sizeError(source, size);
 }

@@ -10,10 +10,13 @@
 
 #include <algorithm>
 #include <array>
+#include <string>
 #include <utility>
 #include <vector>
 
 #include "core/error.h"
+#include "surface/join_vertices.h"
+#include "surface/mesh_source.h"
 
 namespace morphgrid {
 namespace {
@@ -27,7 +30,7 @@ struct Soup {
   std::vector<std::vector<std::size_t>> triangles;
 };
 
-Soup joinVertices(const TriangleMesh& mesh) {
+Soup soupOf(const TriangleMesh& mesh) {
   Soup soup;
   for (const auto& p : mesh.vertices.colwise()) soup.points.emplace_back(p.x(), p.y(), p.z());
   for (const auto& t : mesh.triangles.colwise()) {
@@ -41,8 +44,13 @@ Soup joinVertices(const TriangleMesh& mesh) {
   return soup;
 }
 
-/// Throws when more than two triangles meet at an edge.
-std::size_t countEdges(const Soup& soup) {
+struct Edges {
+  std::size_t count = 0;
+  std::size_t crowded = 0;  ///< Of more than two triangles.
+  std::pair<Point, Point> firstCrowded;
+};
+
+Edges countEdges(const Soup& soup) {
   std::vector<std::pair<std::size_t, std::size_t>> edges;
   for (const auto& triangle : soup.triangles) {
     for (int corner = 0; corner < 3; ++corner) {
@@ -50,30 +58,32 @@ std::size_t countEdges(const Soup& soup) {
     }
   }
   std::sort(edges.begin(), edges.end());
-  std::size_t count = 0;
-  for (auto edge = edges.begin(); edge != edges.end(); ++count) {
+  Edges counted;
+  for (auto edge = edges.begin(); edge != edges.end(); ++counted.count) {
     const auto next = std::upper_bound(edge, edges.end(), *edge);
-    if (next - edge > 2) {
-      const Point& a = soup.points[edge->first];
-      const Point& b = soup.points[edge->second];
-      throw InputError(fmt::format(
-          "Loop subdivision needs a manifold mesh, at most 2 triangles to an edge, got {} between "
-          "[{}, {}, {}] and [{}, {}, {}]",
-          next - edge, a.x(), a.y(), a.z(), b.x(), b.y(), b.z()));
+    if (next - edge > 2 && counted.crowded++ == 0) {
+      counted.firstCrowded = {soup.points[edge->first], soup.points[edge->second]};
     }
     edge = next;
   }
-  return count;
+  return counted;
 }
 
-HalfedgeMesh toHalfedges(Soup soup) {
-  const std::size_t edgeCount = countEdges(soup);
-  // Vertices at which two sheets touch are split in two; a mesh of one side alone is cut open,
-  // which shows in edges that were not there.
+std::vector<std::string> noticesOn(const Edges& edges) {
+  if (edges.crowded == 0) return {};
+  const auto& [a, b] = edges.firstCrowded;
+  return {
+      fmt::format("cut open before Loop subdivision along {} of more than two triangles, the first "
+                  "from [{}, {}, {}] to [{}, {}, {}]",
+                  countOf(edges.crowded, "edge"), a.x(), a.y(), a.z(), b.x(), b.y(), b.z())};
+}
+
+/// Vertices at which sheets touch, along edges too, are split; so is a mesh of one side alone.
+HalfedgeMesh toHalfedges(Soup soup, const Edges& edges) {
   processing::orient_polygon_soup(soup.points, soup.triangles);
   HalfedgeMesh mesh;
   processing::polygon_soup_to_polygon_mesh(soup.points, soup.triangles, mesh);
-  if (mesh.number_of_edges() != edgeCount) {
+  if (edges.crowded == 0 && mesh.number_of_edges() != edges.count) {
     throw InputError(
         "Loop subdivision needs a mesh of two sides, got one that cannot be oriented, like a "
         "Moebius strip");
@@ -109,14 +119,16 @@ void checkTriangleCount(double triangles, int rounds) {
 
 }  // namespace
 
-TriangleMesh subdivideLoop(const TriangleMesh& mesh, int rounds) {
-  if (rounds == 0) return mesh;
+NotedMesh subdivideLoop(const TriangleMesh& mesh, int rounds) {
+  if (rounds == 0) return {mesh, {}};
   checkTriangleCount(static_cast<double>(mesh.triangles.cols()), rounds);
-  HalfedgeMesh halfedges = toHalfedges(joinVertices(mesh));
+  Soup soup = soupOf(joinVertices(mesh));
+  const Edges edges = countEdges(soup);
+  HalfedgeMesh halfedges = toHalfedges(std::move(soup), edges);
   CGAL::Subdivision_method_3::Loop_subdivision(halfedges,
                                                CGAL::parameters::number_of_iterations(rounds));
-  TriangleMesh subdivided = toTriangles(halfedges);
-  if (!subdivided.vertices.allFinite()) {
+  NotedMesh subdivided{toTriangles(halfedges), noticesOn(edges)};
+  if (!subdivided.mesh.vertices.allFinite()) {
     throw InputError(fmt::format("Loop subdivision overflows: coordinates are too large, up to {}",
                                  mesh.vertices.cwiseAbs().maxCoeff()));
   }

@@ -13,7 +13,13 @@ std::optional<double> parseNumber(std::string_view word) {
   double value = 0;
   const auto [end, problem] = std::from_chars(word.data(), word.data() + word.size(), value);
   const bool whole = problem == std::errc() && end == word.data() + word.size();
-  return whole && std::isfinite(value) ? std::optional(value) : std::nullopt;
+  return whole ? std::optional(value) : std::nullopt;
+}
+
+TextReader::TextReader(const MeshSource& source) : source_(source) {
+  constexpr std::string_view kMark = "\xef\xbb\xbf";
+  source.refuseUtf16();
+  if (source.bytes.starts_with(kMark)) next_ = kMark.size();
 }
 
 bool TextReader::nextLine() {
@@ -43,7 +49,7 @@ std::string_view TextReader::wordOfAnyLine() {
 }
 
 double TextReader::number(std::string_view word, std::string_view name) const {
-  if (const auto value = parseNumber(word)) return *value;
+  if (const auto value = parseNumber(word); value && std::isfinite(*value)) return *value;
   throw error(fmt::format("{} must be a finite number, got {}", name,
                           word.empty() ? "nothing" : inQuotes(word)));
 }

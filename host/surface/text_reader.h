@@ -6,13 +6,16 @@
 
 namespace morphgrid {
 
-/// The whole word as a number; nothing when it is none, or not finite, or beyond a double.
+/// The whole word as a number, which may be NaN or infinite; nothing when it is none, or beyond a
+/// double.
 std::optional<double> parseNumber(std::string_view word);
 
-/// Walks a file's text by words and lines. Lines end in LF, CRLF or CR; words in spaces and tabs.
+/// Walks a file's text by words and lines. Lines end in LF, CRLF or CR; words in spaces and tabs. A
+/// mark of UTF-8 is passed over.
 class TextReader {
  public:
-  explicit TextReader(const MeshSource& source) : source_(source) {}
+  /// Throws InputError when the text is UTF-16.
+  explicit TextReader(const MeshSource& source);
 
   /// Goes to the beginning of the next line; false at the end of the file.
   bool nextLine();
@@ -20,10 +23,12 @@ class TextReader {
   std::string_view word();
   /// The next word, on this line or a later one; empty at the end of the file.
   std::string_view wordOfAnyLine();
+  /// What is left of this line.
+  std::string_view rest() const { return rest_; }
   /// Leaves out what is left of this line.
   void skipLine() { rest_ = {}; }
 
-  /// The word, just read, as a number. Throws InputError when it is none, calling it `name`.
+  /// The word, just read, as a finite number. Throws InputError when it is none, calling it `name`.
   double number(std::string_view word, std::string_view name) const;
 
   int line() const { return line_; }

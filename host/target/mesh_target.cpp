@@ -11,11 +11,17 @@
 namespace morphgrid {
 namespace {
 
-TriangleMesh loadConfigured(const MeshConfiguration& configuration) {
-  const TriangleMesh mesh = loadMesh(configuration.mesh);
+/// Notices begin with the file's name.
+NotedMesh loadConfigured(const MeshConfiguration& configuration) {
+  const NotedMesh loaded = loadMesh(configuration.mesh);
   try {
-    return transformed(configuration.worldFromMesh,
-                       subdivideLoop(mesh, configuration.subdivisions));
+    NotedMesh mesh = subdivideLoop(loaded.mesh, configuration.subdivisions);
+    mesh.mesh = transformed(configuration.worldFromMesh, std::move(mesh.mesh));
+    mesh.notices.insert(mesh.notices.begin(), loaded.notices.begin(), loaded.notices.end());
+    for (std::string& notice : mesh.notices) {
+      notice = fmt::format("{}: {}", configuration.mesh.string(), notice);
+    }
+    return mesh;
   } catch (const InputError& error) {
     throw InputError(fmt::format("{}: {}", configuration.mesh.string(), error.what()));
   }
@@ -26,7 +32,8 @@ class MeshTarget final : public Target {
   MeshTarget(const MeshRequest& request, const Cancellation& cancellation)
       : Target({request.configuration.mesh}),
         smoothingWidth_(request.smoothingWidth),
-        sampling_{loadConfigured(request.configuration), {}},
+        loaded_(loadConfigured(request.configuration)),
+        sampling_{std::move(loaded_.mesh), {}},
         caster_(addSeconds(figures_.secondsBuild, [&] { return MeshRayCaster(sampling_.mesh); })) {
     figures_.file = request.configuration.mesh.string();
     figures_.triangles = static_cast<int>(sampling_.mesh.triangles.cols());
@@ -47,6 +54,7 @@ class MeshTarget final : public Target {
     }
   }
 
+  std::vector<std::string> notices() const override { return loaded_.notices; }
   const SurfaceSurvey& survey() const override { return survey_.survey; }
   std::optional<double> curvatureNoise() const override { return survey_.curvatureNoise; }
   std::unique_ptr<TargetSampler> sampler(const Cancellation& cancellation) const override;
@@ -68,6 +76,7 @@ class MeshTarget final : public Target {
   }
 
   double smoothingWidth_;
+  NotedMesh loaded_;  ///< Without the mesh, once it is sampled.
   MeshSampling sampling_;
   MeshFigures figures_;
   MeshRayCaster caster_;

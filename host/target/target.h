@@ -2,6 +2,8 @@
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "core/cancellation.h"
 #include "core/file_watch.h"
@@ -45,6 +47,9 @@ class Target {
   virtual ~Target() = default;
   Target(const Target&) = delete;
   Target& operator=(const Target&) = delete;
+
+  /// What people should know of how it was loaded.
+  virtual std::vector<std::string> notices() const { return {}; }
 
   /// The first pass: extents and curvature.
   virtual const SurfaceSurvey& survey() const = 0;

@@ -37,9 +37,9 @@ class MeshSceneFiles {
     return loadScene(scene_, overrides);
   }
 
-  std::string problems() const {
+  std::string problems(const std::vector<std::string>& overrides = {}) const {
     try {
-      check();
+      check(overrides);
     } catch (const InputError& error) {
       return folder_.withoutPath(error.what());
     }
@@ -50,6 +50,20 @@ class MeshSceneFiles {
   TemporaryFolder folder_;
   std::filesystem::path scene_;
 };
+
+TEST(MeshScene, TellsWhatItsMeshLacks) {
+  const MeshSceneFiles files(heightFieldObj(dome) + "f 1 2\n");
+  EXPECT_THAT(files.check().notices,
+              testing::Contains(HasSubstr("m.obj: passed over 1 face of fewer than three")));
+}
+
+TEST(MeshScene, NamesAMeshThatStandsForItsConfiguration) {
+  const MeshSceneFiles files(heightFieldObj(dome));
+  EXPECT_THAT(files.problems(), "");
+  EXPECT_THAT(files.problems({"surface.mesh=m.obj"}),
+              testing::EndsWith("m.obj: is a mesh; a mesh configuration is due, a TOML file that "
+                                "says mesh = \"m.obj\""));
+}
 
 TEST(MeshScene, DesignsAGridOnTheMesh) {
   const MeshSceneFiles files(heightFieldObj(dome));

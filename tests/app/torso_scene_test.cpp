@@ -31,7 +31,7 @@ TEST(TorsoScene, HasNeitherHolesNorOverhangs) {
 }
 
 TEST(TorsoScene, TheTorsoIsAClosedBodySeenFromOutside) {
-  const TriangleMesh mesh = loadMesh(sourceFolder() / "scenes/meshes/torso.ply");
+  const TriangleMesh mesh = loadMesh(sourceFolder() / "scenes/meshes/torso.ply").mesh;
   std::vector<std::pair<int, int>> edges;
   double volume = 0;
   for (const auto& t : mesh.triangles.colwise()) {

@@ -37,7 +37,7 @@ TEST_P(SharedMeshes, HaveTheKnownCurvature) {
   const auto folder = sharedFolder();
   if (!folder) GTEST_SKIP() << "no shared meshes";
   const SharedMesh& known = GetParam();
-  const TriangleMesh mesh = turned(loadMesh(*folder / "meshes" / known.file), known.scale);
+  const TriangleMesh mesh = turned(loadMesh(*folder / "meshes" / known.file).mesh, known.scale);
   const PointLattice hits = MeshRayCaster(mesh).cast(known.box, 100, 100).lattice();
   const SurfaceSurvey survey = surveyLattice(hits, 0).survey;
   constexpr double kShares[] = {0.5, 0.9, 0.95, 0.99, 1};

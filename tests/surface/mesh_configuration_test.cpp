@@ -18,11 +18,11 @@ MeshConfiguration configurationOf(const std::string& text) {
   return readMeshConfiguration(folder.write("m.toml", "mesh = \"meshes/m.obj\"\n" + text));
 }
 
-std::string problemsOf(const std::string& text) {
+std::string problemsOf(const std::string& text, const std::string& name = "m.toml") {
   const TemporaryFolder folder;
   folder.write("m.obj", "");
   try {
-    readMeshConfiguration(folder.write("m.toml", text));
+    readMeshConfiguration(folder.write(name, text));
   } catch (const InputError& error) {
     return folder.withoutPath(error.what());
   }
@@ -89,6 +89,12 @@ TEST(MeshConfiguration, ReportsMissingMeshesWithAHint) {
             "(tools/run installs and makes the meshes of scenes/)");
   EXPECT_EQ(problemsOf("mesh = \".\"\n"),
             "m.toml:1:8: mesh must name a readable file, got .: it is a folder");
+}
+
+TEST(MeshConfiguration, NamesMeshesForWhatTheyAre) {
+  EXPECT_EQ(problemsOf("v 0 0 0\n", "bowl.OBJ"),
+            "bowl.OBJ: is a mesh; a mesh configuration is due, a TOML file that says mesh = "
+            "\"bowl.OBJ\"");
 }
 
 TEST(MeshConfiguration, ReportsBadTransforms) {

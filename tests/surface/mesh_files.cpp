@@ -1,5 +1,7 @@
 #include "tests/surface/mesh_files.h"
 
+#include <fmt/ranges.h>
+
 #include "core/error.h"
 #include "surface/load_mesh.h"
 #include "surface/mesh_formats.h"
@@ -8,7 +10,12 @@ namespace morphgrid {
 
 TriangleMesh meshOf(const std::string& name, std::string_view bytes) {
   const std::filesystem::path file = name;
-  return readMesh({file, bytes});
+  return readMesh({file, bytes}).mesh;
+}
+
+std::string noticesOf(const std::string& name, std::string_view bytes) {
+  const std::filesystem::path file = name;
+  return fmt::format("{}", fmt::join(readMesh({file, bytes}).notices, "\n"));
 }
 
 std::string problemOf(const std::string& name, std::string_view bytes) {

@@ -10,6 +10,9 @@ namespace morphgrid {
 /// Reads bytes as a file of that name.
 TriangleMesh meshOf(const std::string& name, std::string_view bytes);
 
+/// The notices of doing so, a line each.
+std::string noticesOf(const std::string& name, std::string_view bytes);
+
 /// The error of doing so; empty when there is none.
 std::string problemOf(const std::string& name, std::string_view bytes);
 

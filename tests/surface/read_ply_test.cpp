@@ -172,15 +172,13 @@ TEST(ReadPly, EveryTruncationIsAnError) {
 
 TEST(ReadPly, RefusesBadRows) {
   EXPECT_EQ(problemOf("a.ply", ascii("0 0 0\n1 x 0\n0 1 0\n3 0 1 2\n")),
-            "a.ply:12: a value must be a finite number, got \"x\"");
+            "a.ply:12: a value must be a number, got \"x\"");
   EXPECT_EQ(problemOf("a.ply", ascii("0 0 0\n1 nan 0\n0 1 0\n3 0 1 2\n")),
-            "a.ply:12: a value must be a finite number, got \"nan\"");
+            "a.ply: vertex 1: coordinates must be finite, got 1, nan, 0");
   EXPECT_EQ(problemOf("a.ply", ascii("0 0 0\n1 0 0\n0 1 0\n3 0 1 3\n")),
             "a.ply: face 0: vertex 3 does not exist, there are 0 to 2");
   EXPECT_EQ(problemOf("a.ply", ascii("0 0 0\n1 0 0\n0 1 0\n3 0 1 -1\n")),
             "a.ply:14: a vertex index must be an integer >= 0, got -1");
-  EXPECT_EQ(problemOf("a.ply", ascii("0 0 0\n1 0 0\n0 1 0\n2 0 1\n")),
-            "a.ply:14: a face must have 3 to 4096 vertices, got 2");
   EXPECT_EQ(problemOf("a.ply", ascii(kRows + "3 0 1 2\n")),
             "a.ply:15: the file goes on behind its last value: the header's counts are wrong");
   const float nan = std::numeric_limits<float>::quiet_NaN();
@@ -189,7 +187,59 @@ TEST(ReadPly, RefusesBadRows) {
                                    bytesOf(std::uint8_t{3}, 0, 1, 2)),
             "a.ply: vertex 1: coordinates must be finite, got 1, nan, 0");
   EXPECT_EQ(problemOf("a.ply", replaced(ascii("0 0 0\n1 0 0\n0 1 0\n"), "face 1", "face 0")),
-            "a.ply: holds no triangle");
+            "a.ply: holds 3 points but no faces: a point cloud must be meshed first");
+}
+
+TEST(ReadPly, PropertiesThatNobodyReadsMayBeAnything) {
+  const std::string text = replaced(ascii("0 0 0 nan\n1 0 0 -1.#IND\n0 1 0.5 inf\n3 0 1 2\n"),
+                                    "element face", "property float quality\nelement face");
+  expectTheTriangle(meshOf("a.ply", text));
+  EXPECT_NE(problemOf("a.ply", replaced(text, " inf", "")), "");
+}
+
+TEST(ReadPly, VerticesThatNoFaceUsesMayBeNoNumbers) {
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  const std::string text =
+      replaced(ascii("nan nan nan\n0 0 0\n1 0 0\n0 1 0.5\n3 1 2 3\n"), "vertex 3", "vertex 4");
+  expectTheTriangle(meshOf("a.ply", text));
+  expectTheTriangle(
+      meshOf("a.ply", replaced(header("binary_little_endian", kFloats), "vertex 3", "vertex 4") +
+                          bytesOf(nan, nan, nan, 0.f, 0.f, 0.f, 1.f, 0.f, 0.f, 0.f, 1.f, 0.5f) +
+                          bytesOf(std::uint8_t{3}, 1, 2, 3)));
+}
+
+TEST(ReadPly, TellsOfFacesOfFewerThanThreeCorners) {
+  const std::string text = replaced(ascii(kRows + "2 0 1\n0\n"), "face 1", "face 3");
+  expectTheTriangle(meshOf("a.ply", text));
+  EXPECT_EQ(noticesOf("a.ply", text), "passed over 2 faces of fewer than three corners");
+  EXPECT_EQ(noticesOf("a.ply", ascii(kRows)), "");
+}
+
+/// -1 ends a strip; every other triangle is turned, so that all face the same way.
+TEST(ReadPly, ReadsTriangleStrips) {
+  const std::string text = "ply\nformat ascii 1.0\nelement vertex 5\n" + kFloats +
+                           "element tristrips 1\nproperty list int int vertex_indices\nend_header\n"
+                           "0 0 0\n1 0 0\n0 1 0\n1 1 0\n0 2 0\n10 0 1 2 3 4 -1 0 2 2 1\n";
+  Eigen::Matrix3Xi triangles(3, 3);
+  triangles << 0, 1, 2, 1, 3, 3, 2, 2, 4;
+  EXPECT_EQ(meshOf("a.ply", text).triangles, triangles);
+  EXPECT_EQ(problemOf("a.ply", replaced(text, "3 4 -1", "3 9 -1")),
+            "a.ply: face 2: vertex 9 does not exist, there are 0 to 4");
+  EXPECT_EQ(problemOf("a.ply", replaced(text, "3 4 -1", "3 4 -2")),
+            "a.ply:15: a vertex index must be an integer >= 0, got -2");
+}
+
+TEST(ReadPly, NamesRangeGrids) {
+  EXPECT_EQ(problemOf("a.ply", "ply\nformat ascii 1.0\nobj_info num_cols 2\nelement vertex 1\n" +
+                                   kFloats +
+                                   "element range_grid 2\nproperty list uchar int vertex_indices\n"
+                                   "end_header\n0 0 0\n1 0\n0\n"),
+            "a.ply: holds a range grid of 1 point, as a scanner sees them, but no faces: it must "
+            "be meshed first");
+}
+
+TEST(ReadPly, ReadsTextWithAMark) {
+  expectTheTriangle(meshOf("a.ply", "\xef\xbb\xbf" + ascii(kRows)));
 }
 
 }  // namespace

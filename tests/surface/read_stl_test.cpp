@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cctype>
 #include <cstdint>
 #include <limits>
 
@@ -37,6 +39,45 @@ TEST(ReadStl, ReadsAscii) {
   expectTheFacet(meshOf("a.STL", "\n  " + solid(kFacet, "")));
   EXPECT_EQ(meshOf("a.stl", solid(kFacet) + solid(std::string(kFacet) + kFacet)).triangles.cols(),
             3);
+}
+
+TEST(ReadStl, ReadsCapitals) {
+  for (const char* const capitals : {"SOLID", "Solid", "solid"}) {
+    std::string text = solid(kFacet);
+    text.replace(0, 5, capitals);
+    expectTheFacet(meshOf("a.stl", text));
+    for (char& letter : text) letter = static_cast<char>(std::toupper(letter));
+    expectTheFacet(meshOf("a.stl", text));
+    EXPECT_EQ(problemOf("a.stl", text.substr(0, text.find("ENDLOOP"))),
+              "a.stl:7: after three vertices endloop expected, got the end of the file");
+  }
+}
+
+TEST(ReadStl, ReadsTextWithAMark) {
+  expectTheFacet(meshOf("a.stl", "\xef\xbb\xbf" + solid(kFacet)));
+  EXPECT_EQ(problemOf("a.stl", std::string("s\0o\0l\0i\0d\0", 10)),
+            "a.stl: is UTF-16 text, which cannot be read: save it as UTF-8");
+}
+
+TEST(ReadStl, TellsOfBytesBehindTheFacets) {
+  const std::string file = binary(2, facetOf(0.5) + facetOf(2));
+  EXPECT_EQ(noticesOf("a.stl", file), "");
+  expectTheFacet(meshOf("a.stl", file + "UNITS=mm"));
+  EXPECT_EQ(noticesOf("a.stl", file + "UNITS=mm"),
+            "passed over 8 bytes behind the 2 facets that the header counts");
+}
+
+TEST(ReadStl, RefusesBinaryFilesThatWereConvertedAsText) {
+  std::string file = binary(1, facetOf(0.5));
+  std::ranges::replace_if(
+      file, [](char byte) { return byte < 0; }, '\0');
+  file.replace(100, 1, "\xef\xbf\xbd");
+  EXPECT_EQ(problemOf("a.stl", file),
+            "a.stl: byte 100: the binary STL file was converted as if it were text: bytes of it "
+            "were replaced by U+FFFD");
+  file[110] = '\xbf';  // As in floats: what follows was no conversion's.
+  EXPECT_EQ(noticesOf("a.stl", file),
+            "passed over 2 bytes behind the 1 facet that the header counts");
 }
 
 TEST(ReadStl, ReadsBinary) {
@@ -83,9 +124,8 @@ TEST(ReadStl, RefusesBinaryFilesOfAnotherSize) {
             "bytes, got 184" +
                 end);
   EXPECT_EQ(
-      problemOf("a.stl", binary(1, two)),
-      "a.stl: byte 80: a binary STL file with this number of facets takes 134 bytes, got 184" +
-          end);
+      problemOf("a.stl", binary(0, two)),
+      "a.stl: byte 80: a binary STL file with this number of facets takes 84 bytes, got 184" + end);
   EXPECT_EQ(problemOf("a.stl", "PK"),
             "a.stl: byte 0: a binary STL file takes 84 bytes at least, got 2" + end);
 }

@@ -28,7 +28,7 @@ class SharedMeshRays : public testing::TestWithParam<SymmetricMesh> {
         0, 1, 0,           //
         1, 0, 0;
     mesh_ = transformed(Eigen::Affine3d(GetParam().scale * turn),
-                        loadMesh(*folder / "meshes" / GetParam().file));
+                        loadMesh(*folder / "meshes" / GetParam().file).mesh);
   }
 
   TriangleMesh mesh_;

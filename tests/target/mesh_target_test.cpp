@@ -58,6 +58,20 @@ TEST_F(MeshOnDisk, IsMovedAndSubdividedAsItsConfigurationAsks) {
   EXPECT_NEAR(target->sampler({})->points(isolineNet(2, 2)).at(1, 1).x(), 10, 0.01);
 }
 
+TEST_F(MeshOnDisk, TellsHowItWasLoaded) {
+  EXPECT_THAT(loadMeshTarget(request(heightFieldObj(dome)))->notices(), testing::IsEmpty());
+  MeshRequest odd =
+      request(heightFieldObj(dome) + "f 1 2\nv 5 0 0\nv 5 0 1\nf 200 201 442\nf 200 201 443\n");
+  odd.configuration.subdivisions = 1;
+  odd.box = SamplingBox{-0.9, -0.9, 1.8, 1.8};
+  const std::string file = odd.configuration.mesh.string();
+  EXPECT_THAT(
+      loadMeshTarget(odd)->notices(),
+      testing::ElementsAre(
+          file + ": passed over 1 face of fewer than three corners",
+          StartsWith(file + ": cut open before Loop subdivision along 1 edge of more than")));
+}
+
 TEST_F(MeshOnDisk, CountsTheRaysOfEachDesignApart) {
   const auto target = loadMeshTarget(request(heightFieldObj(dome)));
   for (int design = 0; design < 2; ++design) {
