@@ -6,6 +6,7 @@
 
 #include "benchmark/fidelity.h"
 #include "benchmark/frame_benchmark.h"
+#include "benchmark/inputs.h"
 #include "benchmark/machine_benchmark.h"
 #include "benchmark/profile_benchmark.h"
 #include "benchmark/ray_benchmark.h"
@@ -44,6 +45,7 @@ int runBenchmark(std::vector<std::string> arguments) {
   addRobustnessTable(app);
   addFidelityTable(app);
   addValidation(app);
+  addInputsTable(app);
   std::reverse(arguments.begin(), arguments.end());  // As CLI11 takes them.
   try {
     app.parse(arguments);
