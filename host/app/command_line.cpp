@@ -71,6 +71,7 @@ int runCommandLine(int argc, char** argv) {
   app.require_subcommand(1);
 
   Action action;
+  addNewCommand(app, action);
   addRunCommand(app, action);
   addCheckCommand(app, action);
   addFiguresCommand(app, action);

@@ -61,4 +61,10 @@ TriangleMesh loadMesh(const std::filesystem::path& file) {
   return readMesh({file, bytes});
 }
 
+bool isMeshName(const std::filesystem::path& file) {
+  const std::string extension = lowerCase(file.extension().string());
+  return std::ranges::any_of(kFormats,
+                             [&](const Format& format) { return extension == format.extension; });
+}
+
 }  // namespace morphgrid

@@ -11,4 +11,7 @@ namespace morphgrid {
 /// triangle; memory stays in proportion to the file's size.
 TriangleMesh loadMesh(const std::filesystem::path& file);
 
+/// Whether a file is called like a mesh, by its extension.
+bool isMeshName(const std::filesystem::path& file);
+
 }  // namespace morphgrid

@@ -6,6 +6,7 @@
 
 #include "core/key_place.h"
 #include "core/read_toml_key.h"
+#include "surface/load_mesh.h"
 
 namespace morphgrid {
 namespace {
@@ -108,6 +109,7 @@ bool MeshConfiguration::operator==(const MeshConfiguration& other) const {
 }
 
 MeshConfiguration readMeshConfiguration(const std::filesystem::path& file) {
+  if (isMeshName(file)) return {.mesh = file};
   TomlReader reader(file, parseToml(file));
   return readTopLevel(reader, meshConfigurationKeys());
 }
