@@ -1,12 +1,8 @@
-#include <fmt/format.h>
-
 #include "app/command_end.h"
 #include "app/command_options.h"
 #include "app/commands.h"
-#include "app/proposal_text.h"
 #include "app/propose_files.h"
 #include "core/error.h"
-#include "surface/load_mesh.h"
 
 namespace morphgrid {
 namespace {
@@ -27,9 +23,7 @@ int propose(const NewArguments& arguments) {
     }
   }
   const ProposedFiles files = proposeFiles(request, arguments.folder, arguments.isQuiet);
-  if (!arguments.isQuiet) {
-    fmt::print("{}scene in {}\n", proposalSummary(files.proposal), files.scene.string());
-  }
+  if (!arguments.isQuiet) tellProposal(files);
   return kConverged;
 }
 

@@ -1,12 +1,15 @@
 #include "app/propose_files.h"
 
 #include <fmt/format.h>
+#include <spdlog/spdlog.h>
 #include <unistd.h>
 
+#include "app/draw_preview.h"
 #include "app/proposal_text.h"
 #include "app/try_design.h"
 #include "core/atomic_file.h"
 #include "core/create_folder.h"
+#include "core/error.h"
 #include "core/interrupt.h"
 #include "core/read_file.h"
 #include "propose/propose_scene.h"
@@ -52,6 +55,22 @@ std::filesystem::path seenFrom(const std::filesystem::path& folder,
   return failed || relative.empty() ? std::filesystem::absolute(file) : relative;
 }
 
+/// Without a device that draws there is none, and a line says so.
+void drawSides(const SceneProposal& proposal, const std::filesystem::path& file) {
+  std::vector<PreviewSide> sides = previewSides(proposal.sights);
+  const Sight& chosen = proposal.placement.sight;
+  std::erase_if(sides, [&](const PreviewSide& side) { return side.sight.name == chosen.name; });
+  sides.insert(sides.begin(),
+               {chosen, proposal.seen,
+                fmt::format("chosen, {}: {:.0f} % of the surface", chosen.name,
+                            100 * proposal.share)});
+  try {
+    drawPreview(file, proposal.request.mesh.filename().string(), proposal.mesh, sides);
+  } catch (const DeviceError& error) {
+    spdlog::warn("no {}: {}", file.string(), error.what());
+  }
+}
+
 }  // namespace
 
 ProposedFiles proposeFiles(const ProposalRequest& request, std::filesystem::path folder,
@@ -70,7 +89,14 @@ ProposedFiles proposeFiles(const ProposalRequest& request, std::filesystem::path
   writeKeeping(folder / "mesh.toml",
                proposalMeshText(files.proposal, seenFrom(folder, request.mesh)));
   writeKeeping(files.scene, proposalSceneText(files.proposal, "mesh.toml"));
+  drawSides(files.proposal, folder / kPreviewFile);
   return files;
+}
+
+void tellProposal(const ProposedFiles& files) {
+  fmt::print("{}scene in {}, the sides in {}\n", proposalSummary(files.proposal),
+             files.scene.string(), (files.scene.parent_path() / kPreviewFile).string());
+  std::fflush(stdout);
 }
 
 std::filesystem::path sceneFor(const std::filesystem::path& argument,
@@ -78,7 +104,7 @@ std::filesystem::path sceneFor(const std::filesystem::path& argument,
   if (!isMeshName(argument)) return argument;
   const ProposedFiles files = proposeFiles({.mesh = argument}, folder, isQuiet);
   if (!isQuiet) {
-    fmt::print("{}scene in {}\n", proposalSummary(files.proposal), files.scene.string());
+    tellProposal(files);
   }
   return files.scene;
 }

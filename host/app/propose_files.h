@@ -5,6 +5,9 @@
 
 namespace morphgrid {
 
+/// The mesh from all sides, beside the scene and among a run's pictures.
+inline constexpr const char* kPreviewFile = "preview.png";
+
 struct ProposedFiles {
   std::filesystem::path scene;  ///< FOLDER/NAME.toml; it names FOLDER/mesh.toml.
   SceneProposal proposal;
@@ -15,6 +18,9 @@ struct ProposedFiles {
 /// being done, unless quiet. Throws as proposeScene(), and InputError when the disk refuses.
 ProposedFiles proposeFiles(const ProposalRequest& request, std::filesystem::path folder,
                            bool isQuiet);
+
+/// Prints what was decided, and where it is.
+void tellProposal(const ProposedFiles& files);
 
 /// The scene that a command works on: the argument itself, or, where it is a mesh, one that is
 /// proposed for it as above.

@@ -48,9 +48,11 @@ DesignRequest chooseDesign(const SurfaceSurvey& survey, const ProposalRequest& r
 bool looksFaceted(const SurfaceSurvey& survey) {
   constexpr double kFlat = 0.02;     // Of the curvature at creases.
   constexpr double kTurning = 0.05;  // rad over the whole: less is a plane.
-  const double creases = curvatureAtCutoff(survey, 0.95);
+  constexpr double kSharp = 0.4;     // rad in a hundredth of the whole: that is an edge, to be kept.
   const double length = std::max(survey.longestIsolineU, survey.longestIsolineV);
-  return creases * length > kTurning && curvatureAtCutoff(survey, 0.5) < kFlat * creases;
+  const double creases = curvatureAtCutoff(survey, 0.95) * length;
+  return creases > kTurning && creases < 100 * kSharp &&
+         curvatureAtCutoff(survey, 0.5) * length < kFlat * creases;
 }
 
 std::optional<double> fittingSpacing(const DesignTrial& trial, const SurfaceSurvey& survey,

@@ -20,12 +20,12 @@
 namespace morphgrid {
 namespace {
 
-constexpr std::size_t kMostSights = 3;
-constexpr std::array kSlopes = {2.0, 1.2, 0.7, 0.4, 0.25};  // The gentlest has boxes of 14 degrees.
+constexpr std::size_t kMostSights = 4;
+constexpr std::array kSlopes = {20.0, 10.0, 6.0, 3.0, 1.7, 1.0, 0.6, 0.35};  // Of 87 to 19 degrees.
 constexpr std::array kNets = {NetKind::isoline, NetKind::orthogonal};
 constexpr double kFilledHole = 0.03;   // Of the box's longer side.
-constexpr double kFewOutOfRange = 0.01;  // Of the struts; inverse design finds lengths for them.
-constexpr double kMostTwist = 5;         // Degrees, in the mean.
+constexpr double kFewOutOfRange = 0.03;  // Of the struts; inverse design finds lengths for them.
+constexpr double kMostTwist = 6;         // Degrees, in the mean.
 constexpr int kSmoothTriangles = 10'000;  // Facets of a mesh of so many are small beside the struts.
 constexpr int kMostRounds = 3;
 
@@ -90,11 +90,12 @@ class Proposer {
     sights_ = rateSights(mesh_, listSights(mesh_), watch_.cancellation);
     std::size_t looked = 0;
     for (const SightRating& rating : sights_) {
-      if (!rating.box || looked == kMostSights) break;
+      if (!rating.box || looked == kMostSights || rating.share < shareToBeat()) break;
       if (seesWhatWasSeen(rating)) continue;
       ++looked;
-      if (const auto candidate = searchAlong(rating)) return finish(*candidate);
+      searchAlong(rating);
     }
+    if (good_) return finish(*good_);
     if (best_) return finish(*best_);
     throw InputError(fmt::format("{}: {}", request_.mesh.string(), whyNot()));
   }
@@ -122,14 +123,18 @@ class Proposer {
     return fmt::format("{}", fmt::join(lines, "\n"));
   }
 
-  /// The first good design, of boxes whose slopes become gentler.
-  std::optional<Candidate> searchAlong(const SightRating& rating) {
+  double shareToBeat() const { return good_ ? good_->share : 0; }
+
+  /// Looks for a design that is good in a larger box than that of another side; slopes become
+  /// gentler, and boxes smaller.
+  void searchAlong(const SightRating& rating) {
     Candidate candidate{.rating = rating};
     auto placed = place(candidate);
     double lastShare = std::numeric_limits<double>::infinity();
     for (const double slope : kSlopes) {
       candidate.slope = slope;
       if (!chooseBox(candidate, *placed)) continue;
+      if (candidate.share <= shareToBeat()) return;
       if (candidate.share > 0.99 * lastShare) continue;  // The same box again.
       lastShare = candidate.share;
       if (!survey(candidate, placed)) continue;
@@ -138,10 +143,12 @@ class Proposer {
         continue;
       }
       chooseNet(candidate);
-      if (isGood(candidate.trial)) return candidate;
+      if (isGood(candidate.trial)) {
+        good_ = candidate;
+        return;
+      }
       remember(candidate);
     }
-    return std::nullopt;
   }
 
   std::shared_ptr<const PlacedMesh> place(Candidate& candidate) const {
@@ -252,7 +259,8 @@ class Proposer {
                            .material = chooseMaterial(request_),
                            .share = candidate.share,
                            .slope = candidate.slope,
-                           .triangles = static_cast<int>(mesh_.triangles.cols()),
+                           .mesh = mesh_,
+                           .seen = *candidate.surface.box,
                            .isFaceted = candidate.isFaceted,
                            .trial = candidate.trial,
                            .sights = sights_,
@@ -298,7 +306,8 @@ class Proposer {
   double meshArea_;
   std::vector<SightRating> sights_;
   std::vector<TriedCandidate> tried_;
-  std::optional<Candidate> best_;
+  std::optional<Candidate> good_;  ///< Of those that are good, the one that shows the most.
+  std::optional<Candidate> best_;  ///< Of the others, the least bad.
 };
 
 /// As a mesh configuration's steps do it, one after the other.

@@ -56,9 +56,10 @@ struct SceneProposal {
   MeshRequest surface;
   DesignRequest design;
   MaterialRequest material;
-  double share = 0;     ///< Of the mesh's area that lies in the box.
+  double share = 0;        ///< Of the mesh's area that lies in the box.
   double slope = 0;     ///< The steepest that the box was chosen for.
-  int triangles = 0;    ///< Of the mesh as loaded.
+  TriangleMesh mesh;    ///< As loaded.
+  SamplingBox seen{};   ///< The box on the mesh that was turned, but neither moved nor scaled.
   bool isFaceted = false;  ///< Why it is subdivided.
   DesignTrial trial;
   std::vector<SightRating> sights;    ///< The best first.
