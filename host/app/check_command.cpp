@@ -33,6 +33,7 @@ void showSides(const Scene& scene, bool draws) {
     createFolder(folder, folder.string());
     drawPreview(folder / kPreviewFile, scene.title, sides.mesh, views);
     fmt::print("the mesh from all sides in {}\n", (folder / kPreviewFile).string());
+    std::fflush(stdout);
   } catch (const DeviceError& error) {
     spdlog::warn("no {}: {}", kPreviewFile, error.what());
   }
@@ -63,9 +64,10 @@ int check(const SceneArguments& arguments) {
 
 void addCheckCommand(CLI::App& app, Action& action) {
   const auto arguments = std::make_shared<SceneArguments>();
-  CLI::App* command =
-      app.add_subcommand("check", "read, measure and design; print the table and what would help, draw a mesh from all sides, solve "
-                         "nothing");
+  CLI::App* command = app.add_subcommand("check",
+                                         "read, measure and design; print the table and what would "
+                                         "help, draw a mesh from all sides, solve "
+                                         "nothing");
   addSceneArguments(*command, *arguments);
   command->callback([&action, arguments] { action = [=] { return check(*arguments); }; });
 }

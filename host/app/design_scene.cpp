@@ -97,9 +97,9 @@ ChosenNet naming(const GridSize& size, const DesignRequest& request, const Surfa
         "{}\n{} nodes were raised to {} for curvature up to {:.4g} (Eq. 23), whose rays are so "
         "close{}",
         error.what(), request.nodesLong, std::max(size.nodesU, size.nodesV), size.curvatureLimit,
-        cutoff ? fmt::format(": grid.curvature_cutoff = {:g} keeps those that were asked for",
-                             *cutoff)
-               : ""));
+        cutoff
+            ? fmt::format(": grid.curvature_cutoff = {:g} keeps those that were asked for", *cutoff)
+            : ""));
   }
 }
 

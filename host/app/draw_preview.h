@@ -14,9 +14,9 @@ struct PreviewSide {
   std::string caption;
 };
 
-/// Writes a sheet of pictures: the mesh from each side, with the box there and where rays in it hit.
-/// Debris far away is cut off. Throws DeviceError when there is no device that draws, InputError
-/// when the file cannot be written or there is no font.
+/// Writes a sheet of pictures: the mesh from each side, with the box there and where rays in it
+/// hit. Debris far away is cut off. Throws DeviceError when there is no device that draws,
+/// InputError when the file cannot be written or there is no font.
 void drawPreview(const std::filesystem::path& file, const std::string& title,
                  const TriangleMesh& mesh, const std::vector<PreviewSide>& sides,
                  const DeviceOptions& options = {});

@@ -16,11 +16,11 @@
 namespace morphgrid {
 namespace {
 
-constexpr double kWorthIt = 0.6;       // A lever that leaves more of what is wrong is not named.
-constexpr double kSteep = 2;           // Slopes of 63 degrees.
-constexpr double kMuchLarger = 1.5;    // Times as large is a box that is worth turning the mesh.
+constexpr double kWorthIt = 0.8;     // A lever that leaves more of what is wrong is not named.
+constexpr double kSteep = 2;         // Slopes of 63 degrees.
+constexpr double kMuchLarger = 1.5;  // Times as large is a box that is worth turning the mesh.
 constexpr int kRoundsOffered = 2;
-constexpr double kMostlyOpen = 0.3;    // How far an open sheet faces one side.
+constexpr double kMostlyOpen = 0.3;  // How far an open sheet faces one side.
 
 /// What resists, by geometry, and in words.
 struct Resistance {
@@ -57,16 +57,14 @@ class Levers {
  private:
   const MeshRequest& surface() const { return std::get<MeshRequest>(scene_.surface); }
 
-  void offer(const std::string& change, const Resistance& then) {
-    notices_.push_back(fmt::format("{} leaves {}, now {}", change, then.inWords, now_.inWords));
-  }
-
   /// The lever's design, where it is one.
   template <typename Design>
-  void attempt(const std::string& change, const Design& design) {
+  void attempt(const std::string& change, const Design& design, const std::string& more = "") {
     try {
       const Resistance then = resistanceOf(design());
-      if (then.amount < kWorthIt * now_.amount) offer(change, then);
+      if (then.amount >= kWorthIt * now_.amount) return;
+      notices_.push_back(
+          fmt::format("{} leaves {}, now {}{}", change, then.inWords, now_.inWords, more));
     } catch (const InputError&) {
       // What cannot be designed helps nobody.
     }
@@ -88,10 +86,11 @@ class Levers {
     const TriangleMesh& mesh = designed_.target->meshSampling()->mesh;
     request.box = suggestGentleBox(mesh);
     if (!request.box) return;
-    attempt(fmt::format("a box without slopes beyond {:g} (surface.steepest_slope = {:g} finds it),"
-                        "\n{}\n",
-                        kSteep, kSteep, boxAsToml(*request.box)),
-            [&] { return designScene(changed); });
+    attempt(
+        fmt::format("a box without slopes beyond {:g}", kSteep),
+        [&] { return designScene(changed); },
+        fmt::format(" (surface.steepest_slope = {:g} finds it):\n{}", kSteep,
+                    boxAsToml(*request.box)));
   }
 
   std::optional<SamplingBox> suggestGentleBox(const TriangleMesh& mesh) const {

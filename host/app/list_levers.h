@@ -7,9 +7,9 @@
 
 namespace morphgrid {
 
-/// What of a mesh's scene would help most, each tried by design alone, with what it gives: the other
-/// net, a box without steep slopes, subdivision. A sentence each; none where nothing helps, or for
-/// other surfaces. Throws Cancelled where the scene asks for it.
+/// What of a mesh's scene would help most, each tried by design alone, with what it gives: the
+/// other net, a box without steep slopes, subdivision. A sentence each; none where nothing helps,
+/// or for other surfaces. Throws Cancelled where the scene asks for it.
 std::vector<std::string> listLevers(const Scene& scene, const SceneDesign& designed);
 
 /// The sides of a scene's mesh as it is configured; rays look along its +x.

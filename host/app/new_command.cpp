@@ -48,8 +48,7 @@ void addNewCommand(CLI::App& app, Action& action) {
       ->type_name("LEAST MOST")
       ->expected(2)
       ->check(CLI::Range(-99.0, 99.0));
-  command->add_flag("--paper", request.isPapers,
-                    "the paper's design: springs, lengths by formula");
+  command->add_flag("--paper", request.isPapers, "the paper's design: springs, lengths by formula");
   addQuietFlag(*command, arguments->isQuiet);
   command->callback([&action, arguments] { action = [=] { return propose(*arguments); }; });
 }

@@ -24,7 +24,8 @@ std::string transformsOf(const Placement& placement) {
   const Sight& sight = placement.sight;
   if (sight.degrees != 0) {
     steps += fmt::format(
-        "  {{rotate = {{axis = [{}, {}, {}], degrees = {}}}}}, # Rays come along +x: {} of the file.\n",
+        "  {{rotate = {{axis = [{}, {}, {}], degrees = {}}}}}, # Rays come along +x: {} of the "
+        "file.\n",
         sight.axis.x(), sight.axis.y(), sight.axis.z(), sight.degrees, sight.name);
   }
   const Eigen::Vector3d moved = -placement.center;
@@ -42,7 +43,8 @@ std::string surfaceText(const SceneProposal& proposal,
       "[surface]\n"
       "kind = \"mesh\"\n"
       "mesh = {}\n"
-      "# The largest box without holes in which the surface is no steeper than {:g} ({:.0f} degrees)\n"
+      "# The largest box without holes in which the surface is no steeper than {:g} ({:.0f} "
+      "degrees)\n"
       "# and a grid can be printed; {:.0f} % of the mesh's area lies in it. Lengths are mm.\n"
       "{}\n"
       "fill_holes = {} # Smaller holes are closed from their rim.\n\n",
@@ -70,11 +72,10 @@ std::string gridText(const DesignRequest& design, bool isPapers) {
 }
 
 std::string netText(const SceneProposal& proposal) {
-  return fmt::format(
-      "net = \"{}\" # {}\n", nameOf(proposal.design.net),
-      proposal.design.net == NetKind::isoline
-          ? "\"orthogonal\" came out no better."
-          : "Lines that cross at right angles: came out better than \"isoline\".");
+  return fmt::format("net = \"{}\" # {}\n", nameOf(proposal.design.net),
+                     proposal.design.net == NetKind::isoline
+                         ? "\"orthogonal\" came out no better."
+                         : "Lines that cross at right angles: came out better than \"isoline\".");
 }
 
 std::string trueDesignText(const SceneProposal& proposal) {
@@ -84,7 +85,8 @@ std::string trueDesignText(const SceneProposal& proposal) {
       "least_shrinkage = {} # What every strut loses at the least.\n\n"
       "[design]\n"
       "{}"
-      "# Lengths that bring the simulated grid to its shape, every strut within the material's range.\n"
+      "# Lengths that bring the simulated grid to its shape, every strut within the material's "
+      "range.\n"
       "compensate = {}\n"
       "optimise = {}\n"
       "enforce_shrinkage = true\n",

@@ -60,10 +60,9 @@ void drawSides(const SceneProposal& proposal, const std::filesystem::path& file)
   std::vector<PreviewSide> sides = previewSides(proposal.sights);
   const Sight& chosen = proposal.placement.sight;
   std::erase_if(sides, [&](const PreviewSide& side) { return side.sight.name == chosen.name; });
-  sides.insert(sides.begin(),
-               {chosen, proposal.seen,
-                fmt::format("chosen, {}: {:.0f} % of the surface", chosen.name,
-                            100 * proposal.share)});
+  sides.insert(sides.begin(), {chosen, proposal.seen,
+                               fmt::format("chosen, {}: {:.0f} % of the surface", chosen.name,
+                                           100 * proposal.share)});
   try {
     drawPreview(file, proposal.request.mesh.filename().string(), proposal.mesh, sides);
   } catch (const DeviceError& error) {

@@ -13,9 +13,10 @@ struct ProposedFiles {
   SceneProposal proposal;
 };
 
-/// Proposes a scene for a mesh and writes it and its mesh configuration into a folder; empty: out/NAME
-/// of the mesh. What was there and differs is kept as NAME_before.toml. Tells on stderr what is
-/// being done, unless quiet. Throws as proposeScene(), and InputError when the disk refuses.
+/// Proposes a scene for a mesh and writes it and its mesh configuration into a folder; empty:
+/// out/NAME of the mesh. What was there and differs is kept as NAME_before.toml. Tells on stderr
+/// what is being done, unless quiet. Throws as proposeScene(), and InputError when the disk
+/// refuses.
 ProposedFiles proposeFiles(const ProposalRequest& request, std::filesystem::path folder,
                            bool isQuiet);
 

@@ -22,6 +22,11 @@ double roundedTo(double value, int decimals) {
   return std::strtod(inDecimals(value, decimals).c_str(), nullptr);
 }
 
+double roundedToDigits(double value, int digits) {
+  const double step = std::pow(10, std::floor(std::log10(std::abs(value))) - digits + 1);
+  return roundedTo(value, decimalsFor(step));
+}
+
 std::string inDecimals(double value, int decimals) {
   // Numbers so large have no decimals that would help.
   if (decimals > kMostDecimals || std::abs(value) > 1e15) return fmt::format("{}", value);

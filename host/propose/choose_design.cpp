@@ -11,7 +11,8 @@ constexpr int kLayers = 3;
 // Of a strut's length. Bars are a fifth of it high.
 constexpr std::array kSpacings = {0.35, 0.3, 0.25};
 constexpr double kLeastSpacing = 0.22;
-constexpr double kMostPlaces = 0.95;  // A cutoff that leaves fewer as they are means a rough surface.
+constexpr double kMostPlaces =
+    0.95;  // A cutoff that leaves fewer as they are means a rough surface.
 constexpr int kCorrections = 10;
 constexpr int kOptimiseSteps = 20;
 
@@ -48,7 +49,7 @@ DesignRequest chooseDesign(const SurfaceSurvey& survey, const ProposalRequest& r
 bool looksFaceted(const SurfaceSurvey& survey) {
   constexpr double kFlat = 0.02;     // Of the curvature at creases.
   constexpr double kTurning = 0.05;  // rad over the whole: less is a plane.
-  constexpr double kSharp = 0.4;     // rad in a hundredth of the whole: that is an edge, to be kept.
+  constexpr double kSharp = 0.4;  // rad in a hundredth of the whole: that is an edge, to be kept.
   const double length = std::max(survey.longestIsolineU, survey.longestIsolineV);
   const double creases = curvatureAtCutoff(survey, 0.95) * length;
   return creases > kTurning && creases < 100 * kSharp &&

@@ -5,8 +5,8 @@
 namespace morphgrid {
 
 /// Layers, nodes, layer spacing and cutoff for a surface (Eqs. 21 - 23): layers about a third of a
-/// strut's length apart, less where the surface curves too strongly, but not so close that bars of a
-/// fifth of it touch.
+/// strut's length apart, less where the surface curves too strongly, but not so close that bars of
+/// a fifth of it touch.
 DesignRequest chooseDesign(const SurfaceSurvey& survey, const ProposalRequest& request,
                            NetKind net);
 

@@ -11,9 +11,9 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-constexpr double kAlike = 0.966;        // Cosine of 15 degrees: that near, an axis will do.
-constexpr double kOpen = 0.3;           // Mean normal of a mesh that has a front; 0 of a closed one.
-constexpr double kAxisDigits = 1e4;     // What people read in the configuration is what is used.
+constexpr double kAlike = 0.966;     // Cosine of 15 degrees: that near, an axis will do.
+constexpr double kOpen = 0.3;        // Mean normal of a mesh that has a front; 0 of a closed one.
+constexpr double kAxisDigits = 1e4;  // What people read in the configuration is what is used.
 constexpr double kDegreesDigits = 100;
 
 double roundedAt(double value, double digits) { return std::round(value * digits) / digits; }
@@ -50,9 +50,9 @@ Matrix3d principalAxes(const TriangleMesh& mesh) {
   const Vector3d origin = boundingBox(mesh).center();
   for (const auto& triangle : mesh.triangles.colwise()) {
     const Matrix3d corners = mesh.vertices(Eigen::all, triangle).colwise() - origin;
-    const double weight =
-        Vector3d(corners.col(1) - corners.col(0)).cross(Vector3d(corners.col(2) - corners.col(0)))
-            .norm();
+    const double weight = Vector3d(corners.col(1) - corners.col(0))
+                              .cross(Vector3d(corners.col(2) - corners.col(0)))
+                              .norm();
     const Vector3d middle = corners.rowwise().mean();
     area += weight;
     mean += weight * middle;

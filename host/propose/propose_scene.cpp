@@ -3,14 +3,14 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
+#include <array>
 #include <cmath>
-#include <numbers>
+#include <limits>
 
 #include "core/decimals.h"
 #include "core/error.h"
+#include "propose/candidate.h"
 #include "propose/choose_design.h"
-#include "surface/box_text.h"
 #include "surface/load_mesh.h"
 #include "surface/main_extent.h"
 #include "surface/ray_hits.h"
@@ -23,58 +23,10 @@ namespace {
 constexpr std::size_t kMostSights = 4;
 constexpr std::array kSlopes = {20.0, 10.0, 6.0, 3.0, 1.7, 1.0, 0.6, 0.35};  // Of 87 to 19 degrees.
 constexpr std::array kNets = {NetKind::isoline, NetKind::orthogonal};
-constexpr double kFilledHole = 0.03;   // Of the box's longer side.
-constexpr double kFewOutOfRange = 0.03;  // Of the struts; inverse design finds lengths for them.
-constexpr double kMostTwist = 6;         // Degrees, in the mean.
-constexpr int kSmoothTriangles = 10'000;  // Facets of a mesh of so many are small beside the struts.
+constexpr double kFilledHole = 0.03;  // Of the mesh's longer side, as rays see it.
+constexpr int kSmoothTriangles =
+    10'000;  // Facets of a mesh of so many are small beside the struts.
 constexpr int kMostRounds = 3;
-
-double roundedToDigits(double value, int digits) {
-  const double step = std::pow(10, std::floor(std::log10(std::abs(value))) - digits + 1);
-  return roundedTo(value, decimalsFor(step));
-}
-
-/// A box to design in, and the best design there.
-struct Candidate {
-  SightRating rating;
-  int subdivisions = 0;
-  bool isFaceted = false;
-  double slope = 0;
-  double share = 0;
-  MeshRequest surface;
-  std::shared_ptr<const Target> target;
-  DesignRequest design;
-  DesignTrial trial;
-};
-
-bool isGood(const DesignTrial& trial) {
-  const SheetFigures& sheet = trial.sheet;
-  return trial.failure.empty() &&
-         sheet.strutsOutOfRange <= kFewOutOfRange * sheet.lateralStruts &&
-         sheet.meanTwist * 180 / std::numbers::pi <= kMostTwist;
-}
-
-/// The less, the better.
-double badness(const DesignTrial& trial) {
-  if (!trial.failure.empty()) return std::numeric_limits<double>::infinity();
-  const SheetFigures& sheet = trial.sheet;
-  const double outside = sheet.lateralStruts > 0
-                             ? static_cast<double>(sheet.strutsOutOfRange) / sheet.lateralStruts
-                             : trial.net.meanAngleDeviation;  // What springs resist.
-  return outside + 0.1 * sheet.meanTwist;
-}
-
-std::string inWords(const DesignTrial& trial) {
-  if (!trial.failure.empty()) return trial.failure;
-  const SheetFigures& sheet = trial.sheet;
-  if (sheet.lateralStruts == 0) {
-    return fmt::format("corners off 90 degrees by {:.1f} in the mean",
-                       trial.net.meanAngleDeviation * 180 / std::numbers::pi);
-  }
-  return fmt::format("{:.1f} % of the struts beyond what the material allows, twist {:.1f} degrees",
-                     100.0 * sheet.strutsOutOfRange / sheet.lateralStruts,
-                     sheet.meanTwist * 180 / std::numbers::pi);
-}
 
 class Proposer {
  public:
@@ -95,8 +47,10 @@ class Proposer {
       ++looked;
       searchAlong(rating);
     }
-    if (good_) return finish(*good_);
-    if (best_) return finish(*best_);
+    for (const std::optional<Candidate>* candidate : {&good_, &best_}) {
+      if (!*candidate) continue;
+      if (auto proposal = finish(**candidate)) return std::move(*proposal);
+    }
     throw InputError(fmt::format("{}: {}", request_.mesh.string(), whyNot()));
   }
 
@@ -119,7 +73,8 @@ class Proposer {
              "surface.fill_holes of a scene closes larger ones";
     }
     std::vector<std::string> lines = {"no design was possible; tried were"};
-    for (const auto& [what, outcome] : tried_) lines.push_back(fmt::format("  {}: {}", what, outcome));
+    for (const auto& [what, outcome] : tried_)
+      lines.push_back(fmt::format("  {}: {}", what, outcome));
     return fmt::format("{}", fmt::join(lines, "\n"));
   }
 
@@ -162,7 +117,6 @@ class Proposer {
   bool smooth(Candidate& candidate, std::shared_ptr<const PlacedMesh>& placed) const {
     if (mesh_.triangles.cols() >= kSmoothTriangles) return false;
     Candidate smoother = candidate;
-    smoother.isFaceted = true;
     while (smoother.subdivisions < kMostRounds &&
            mesh_.triangles.cols() << (2 * smoother.subdivisions) < kSmoothTriangles) {
       ++smoother.subdivisions;
@@ -200,7 +154,7 @@ class Proposer {
       candidate.target = makeMeshTarget(placed, candidate.surface, watch_.cancellation);
       return true;
     } catch (const InputError& error) {
-      tried_.push_back({inWords(candidate), error.what()});
+      tried_.push_back({describe(candidate), error.what()});
       return false;
     }
   }
@@ -232,16 +186,10 @@ class Proposer {
 
   void tryOut(Candidate& candidate) {
     candidate.design.layerSpacing = roundedToDigits(candidate.design.layerSpacing, 3);
-    tell(fmt::format("trying {}", inWords(candidate)));
-    candidate.trial = tryDesign_(candidate.surface, candidate.target, candidate.design,
-                                 chooseMaterial(request_));
-    tried_.push_back({inWords(candidate), morphgrid::inWords(candidate.trial)});
-  }
-
-  std::string inWords(const Candidate& candidate) const {
-    return fmt::format("{}, slopes up to {:g}, {} net, {:.0f} % of the surface",
-                       candidate.rating.sight.name, candidate.slope, nameOf(candidate.design.net),
-                       100 * candidate.share);
+    tell(fmt::format("trying {}", describe(candidate)));
+    candidate.trial =
+        tryDesign_(candidate.surface, candidate.target, candidate.design, chooseMaterial(request_));
+    tried_.push_back({describe(candidate), describe(candidate.trial)});
   }
 
   void remember(const Candidate& candidate) {
@@ -251,52 +199,25 @@ class Proposer {
     }
   }
 
-  /// Moves and scales it all, and sees whether it still holds.
-  SceneProposal finish(const Candidate& candidate) {
-    SceneProposal proposal{.request = request_,
-                           .surface = candidate.surface,
-                           .design = candidate.design,
-                           .material = chooseMaterial(request_),
-                           .share = candidate.share,
-                           .slope = candidate.slope,
-                           .mesh = mesh_,
-                           .seen = *candidate.surface.box,
-                           .isFaceted = candidate.isFaceted,
-                           .trial = candidate.trial,
-                           .sights = sights_,
-                           .tried = tried_};
-    const SamplingBox& box = *candidate.surface.box;
-    Placement& placement = proposal.placement;
-    placement = {.sight = candidate.rating.sight};
-    const double longer = std::max(box.uLength, box.vLength);
-    const int decimals = decimalsFor(1e-3 * longer);
-    const auto place = [&](double value) { return roundedTo(value, decimals); };
-    placement.scale = roundedToDigits(request_.size / longer, 4);
-    const auto& points = candidate.target->meshSampling()->hits.points;
-    placement.center << place((points.row(0).minCoeff() + points.row(0).maxCoeff()) / 2),
-        place(box.uStart + box.uLength / 2), place(box.vStart + box.vLength / 2);
-
-    const double scale = placement.scale;
-    proposal.surface.configuration.worldFromMesh = placement.worldFromMesh();
-    proposal.surface.box =
-        roundedBox({scale * (box.uStart - placement.center.y()),
-                    scale * (box.vStart - placement.center.z()), scale * box.uLength,
-                    scale * box.vLength});
-    proposal.surface.fillHoles = roundedToDigits(scale * candidate.surface.fillHoles, 2);
-    proposal.design.layerSpacing = roundedToDigits(scale * candidate.design.layerSpacing, 3);
-    verify(proposal);
-    return proposal;
-  }
-
-  /// Rounded numbers are others.
-  void verify(SceneProposal& proposal) const {
+  /// Moves and scales it all, and sees whether it still holds: rounded numbers are others.
+  std::optional<SceneProposal> finish(const Candidate& candidate) {
     tell("verifying");
-    const auto placed = placeMesh(mesh_, proposal.surface.configuration);
-    const auto target = makeMeshTarget(placed, proposal.surface, watch_.cancellation);
-    proposal.trial = tryDesign_(proposal.surface, target, proposal.design, proposal.material);
-    if (!proposal.trial.failure.empty()) {
-      throw InputError(fmt::format("{}: {}", request_.mesh.string(), proposal.trial.failure));
+    SceneProposal proposal = settle(candidate, request_);
+    try {
+      const auto placed = placeMesh(mesh_, proposal.surface.configuration);
+      const auto target = makeMeshTarget(placed, proposal.surface, watch_.cancellation);
+      proposal.trial = tryDesign_(proposal.surface, target, proposal.design, proposal.material);
+    } catch (const InputError& error) {
+      proposal.trial.failure = error.what();
     }
+    if (!proposal.trial.failure.empty()) {
+      tried_.push_back({describe(candidate) + ", scaled", proposal.trial.failure});
+      return std::nullopt;
+    }
+    proposal.mesh = mesh_;
+    proposal.sights = sights_;
+    proposal.tried = tried_;
+    return proposal;
   }
 
   const ProposalRequest& request_;
@@ -310,22 +231,7 @@ class Proposer {
   std::optional<Candidate> best_;  ///< Of the others, the least bad.
 };
 
-/// As a mesh configuration's steps do it, one after the other.
-Eigen::Affine3d asStep(const Eigen::Matrix3d& linear, const Eigen::Vector3d& translation) {
-  Eigen::Affine3d step = Eigen::Affine3d::Identity();
-  step.linear() = linear;
-  step.translation() = translation;
-  return step;
-}
-
 }  // namespace
-
-Eigen::Affine3d Placement::worldFromMesh() const {
-  const Eigen::Matrix3d identity = Eigen::Matrix3d::Identity();
-  const Eigen::Vector3d zero = Eigen::Vector3d::Zero();
-  return asStep(scale * identity, zero) *
-         (asStep(identity, -center) * asStep(sight.rotation(), zero));
-}
 
 SceneProposal proposeScene(const ProposalRequest& request, const TryDesign& tryDesign,
                            const ProposalWatch& watch) {

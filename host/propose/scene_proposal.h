@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "design/grid_size.h"
 #include "design/material.h"
 #include "grid/shrink.h"
 #include "layout/sheet_figures.h"
@@ -15,10 +16,10 @@ namespace morphgrid {
 /// What a user says about a design besides the mesh.
 struct ProposalRequest {
   std::filesystem::path mesh;
-  double size = 100;             ///< Of the box's longer side, in mm, > 0.
-  int nodesLong = 20;            ///< >= 4
+  double size = 100;              ///< Of the box's longer side, in mm, > 0.
+  int nodesLong = 20;             ///< >= 4
   ShrinkRange shrink{0.02, 0.4};  ///< Of the material.
-  bool isPapers = false;         ///< Springs and lengths by formula, as in the paper.
+  bool isPapers = false;          ///< Springs and lengths by formula, as in the paper.
 };
 
 /// How a candidate's grid came out, by geometry alone.
@@ -56,11 +57,10 @@ struct SceneProposal {
   MeshRequest surface;
   DesignRequest design;
   MaterialRequest material;
-  double share = 0;        ///< Of the mesh's area that lies in the box.
-  double slope = 0;     ///< The steepest that the box was chosen for.
-  TriangleMesh mesh;    ///< As loaded.
-  SamplingBox seen{};   ///< The box on the mesh that was turned, but neither moved nor scaled.
-  bool isFaceted = false;  ///< Why it is subdivided.
+  double share = 0;    ///< Of the mesh's area that lies in the box.
+  double slope = 0;    ///< The steepest that the box was chosen for.
+  TriangleMesh mesh;   ///< As loaded.
+  SamplingBox seen{};  ///< The box on the mesh that was turned, but neither moved nor scaled.
   DesignTrial trial;
   std::vector<SightRating> sights;    ///< The best first.
   std::vector<TriedCandidate> tried;  ///< Those before the one that was chosen, and it.

@@ -27,8 +27,8 @@ SamplingBox roundedBox(const SamplingBox& box) {
 std::string boxAsToml(const SamplingBox& box) {
   const int decimals = decimalsOf(box);
   const auto text = [&](double value) { return inDecimals(value, decimals); };
-  return fmt::format("u_start = {}\nv_start = {}\nu_length = {}\nv_length = {}",
-                     text(box.uStart), text(box.vStart), text(box.uLength), text(box.vLength));
+  return fmt::format("u_start = {}\nv_start = {}\nu_length = {}\nv_length = {}", text(box.uStart),
+                     text(box.vStart), text(box.uLength), text(box.vLength));
 }
 
 }  // namespace morphgrid

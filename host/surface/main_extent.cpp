@@ -7,8 +7,8 @@
 namespace morphgrid {
 namespace {
 
-constexpr int kRounds = 2;             // What two axes have cut off may leave gaps along the third.
-constexpr double kFarAway = 0.5;       // In sizes of the part.
+constexpr int kRounds = 2;        // What two axes have cut off may leave gaps along the third.
+constexpr double kFarAway = 0.5;  // In sizes of the part.
 
 struct Piece {
   Eigen::AlignedBox3d box;
@@ -50,9 +50,8 @@ std::vector<Piece> joinAlong(int axis, const std::vector<Piece>& pieces) {
 
 /// The largest of them and its neighbours that are not far away.
 Piece mainOf(int axis, const std::vector<Piece>& joined) {
-  const auto largest = std::max_element(joined.begin(), joined.end(), [](auto& a, auto& b) {
-    return a.area < b.area;
-  });
+  const auto largest = std::max_element(joined.begin(), joined.end(),
+                                        [](auto& a, auto& b) { return a.area < b.area; });
   Piece main = *largest;
   for (auto next = largest + 1; next != joined.end(); ++next) {
     if (next->box.min()[axis] - main.box.max()[axis] > kFarAway * sizeOf(main)) break;

@@ -119,7 +119,8 @@ void MeshSampler::requireHits(const RayHits& hits) const {
     missed += hole.rays;
   }
   throw InputError(fmt::format(
-      "{} of {} rays miss {} in {} {}, the largest of {}; let surface.fill_holes close holes up to a "
+      "{} of {} rays miss {} in {} {}, the largest of {}; let surface.fill_holes close holes up to "
+      "a "
       "width, or choose another box; {}",
       missed, hits.hit.size(), figures_.file, holes.size(), holes.size() == 1 ? "hole" : "holes",
       inWords(holes.front()), adviseOnBox(figures_)));

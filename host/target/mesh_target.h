@@ -15,8 +15,8 @@ struct PlacedMesh {
   MeshRayCaster caster;
 };
 
-/// Subdivides a mesh that was loaded from the configuration's file, and moves it. Throws InputError,
-/// with the file, when it cannot be subdivided.
+/// Subdivides a mesh that was loaded from the configuration's file, and moves it. Throws
+/// InputError, with the file, when it cannot be subdivided.
 std::shared_ptr<const PlacedMesh> placeMesh(const TriangleMesh& loaded,
                                             const MeshConfiguration& configuration);
 
