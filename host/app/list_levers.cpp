@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 
 #include "core/error.h"
 #include "propose/choose_design.h"
@@ -16,8 +17,8 @@
 namespace morphgrid {
 namespace {
 
-constexpr double kWorthIt = 0.8;     // A lever that leaves more of what is wrong is not named.
-constexpr double kSteep = 2;         // Slopes of 63 degrees.
+constexpr double kWorthIt = 0.8;  // A lever that leaves more of what is wrong is not named.
+constexpr std::array kGentleSlopes = {2.0, 1.0};  // Of 63 and 45 degrees.
 constexpr double kMuchLarger = 1.5;  // Times as large is a box that is worth turning the mesh.
 constexpr int kRoundsOffered = 2;
 constexpr double kMostlyOpen = 0.3;  // How far an open sheet faces one side.
@@ -57,16 +58,17 @@ class Levers {
  private:
   const MeshRequest& surface() const { return std::get<MeshRequest>(scene_.surface); }
 
-  /// The lever's design, where it is one.
+  /// The lever's design; whether it is one.
   template <typename Design>
-  void attempt(const std::string& change, const Design& design, const std::string& more = "") {
+  bool attempt(const std::string& change, const Design& design, const std::string& more = "") {
     try {
       const Resistance then = resistanceOf(design());
-      if (then.amount >= kWorthIt * now_.amount) return;
+      if (then.amount >= kWorthIt * now_.amount) return false;
       notices_.push_back(
           fmt::format("{} leaves {}, now {}{}", change, then.inWords, now_.inWords, more));
+      return true;
     } catch (const InputError&) {
-      // What cannot be designed helps nobody.
+      return false;  // What cannot be designed helps nobody.
     }
   }
 
@@ -80,23 +82,23 @@ class Levers {
   }
 
   void tryBox() {
-    if (!designed_.mesh || designed_.mesh->largestJump <= kSteep) return;
+    for (const double slope : kGentleSlopes) {
+      if (designed_.mesh && designed_.mesh->largestJump > slope && tryBox(slope)) return;
+    }
+  }
+
+  bool tryBox(double slope) {
     Scene changed = scene_;
     auto& request = std::get<MeshRequest>(changed.surface);
     const TriangleMesh& mesh = designed_.target->meshSampling()->mesh;
-    request.box = suggestGentleBox(mesh);
-    if (!request.box) return;
-    attempt(
-        fmt::format("a box without slopes beyond {:g}", kSteep),
-        [&] { return designScene(changed); },
-        fmt::format(" (surface.steepest_slope = {:g} finds it):\n{}", kSteep,
-                    boxAsToml(*request.box)));
-  }
-
-  std::optional<SamplingBox> suggestGentleBox(const TriangleMesh& mesh) const {
-    const MeshConfiguration& configuration = surface().configuration;
-    return suggestBox(MeshRayCaster(mesh), mainExtent(mesh), configuration.samplesU,
-                      configuration.samplesV, kSteep, surface().fillHoles);
+    const MeshConfiguration& configuration = request.configuration;
+    request.box = suggestBox(MeshRayCaster(mesh), mainExtent(mesh), configuration.samplesU,
+                             configuration.samplesV, slope, request.fillHoles);
+    return request.box && attempt(
+                              fmt::format("a box without slopes beyond {:g}", slope),
+                              [&] { return designScene(changed); },
+                              fmt::format(" (surface.steepest_slope = {:g} finds it):\n{}", slope,
+                                          boxAsToml(*request.box)));
   }
 
   void trySubdivision() {

@@ -85,9 +85,10 @@ ProposedFiles proposeFiles(const ProposalRequest& request, std::filesystem::path
         {Cancellation(interruptRequested), [&](const std::string& what) { line.tell(what); }});
   }
   createFolder(folder, "--out " + folder.string());
-  writeKeeping(folder / "mesh.toml",
+  const std::string configuration = name + "_mesh.toml";
+  writeKeeping(folder / configuration,
                proposalMeshText(files.proposal, seenFrom(folder, request.mesh)));
-  writeKeeping(files.scene, proposalSceneText(files.proposal, "mesh.toml"));
+  writeKeeping(files.scene, proposalSceneText(files.proposal, configuration));
   drawSides(files.proposal, folder / kPreviewFile);
   return files;
 }

@@ -9,7 +9,7 @@ namespace morphgrid {
 inline constexpr const char* kPreviewFile = "preview.png";
 
 struct ProposedFiles {
-  std::filesystem::path scene;  ///< FOLDER/NAME.toml; it names FOLDER/mesh.toml.
+  std::filesystem::path scene;  ///< FOLDER/NAME.toml; it names FOLDER/NAME_mesh.toml.
   SceneProposal proposal;
 };
 

@@ -23,7 +23,7 @@ namespace {
 constexpr std::size_t kMostSights = 4;
 constexpr std::array kSlopes = {20.0, 10.0, 6.0, 3.0, 1.7, 1.0, 0.6, 0.35};  // Of 87 to 19 degrees.
 constexpr std::array kNets = {NetKind::isoline, NetKind::orthogonal};
-constexpr double kFilledHole = 0.03;  // Of the mesh's longer side, as rays see it.
+constexpr double kFilledHole = 0.06;  // Of the mesh's longer side, as rays see it.
 constexpr int kSmoothTriangles =
     10'000;  // Facets of a mesh of so many are small beside the struts.
 constexpr int kMostRounds = 3;
@@ -135,7 +135,7 @@ class Proposer {
   bool chooseBox(Candidate& candidate, const PlacedMesh& placed) const {
     tell(fmt::format("a box {}, slopes up to {:g}", candidate.rating.sight.name, candidate.slope));
     const MeshConfiguration& configuration = candidate.surface.configuration;
-    const Eigen::AlignedBox3d extent = mainExtent(placed.mesh);
+    const Eigen::AlignedBox3d& extent = placed.extent;
     const double widest = extent.sizes().tail<2>().maxCoeff();
     candidate.surface.box =
         suggestBox(placed.caster, extent, configuration.samplesU, configuration.samplesV,

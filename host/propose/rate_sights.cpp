@@ -10,7 +10,7 @@ namespace {
 
 constexpr int kLookRays = 120;       // Along either side of what is looked at.
 constexpr double kLookSlope = 20;    // Steeper than 87 degrees, rays see too little to go by.
-constexpr double kSmallHole = 0.03;  // Of the extent: such holes are filled.
+constexpr double kSmallHole = 0.06;  // Of the extent: such holes are filled.
 constexpr double kAlmost = 0.02;     // Shares that differ by less are alike.
 
 /// Positive areas of triangles that turn their outside to rays along +x, less those of others.

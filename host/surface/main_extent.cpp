@@ -1,13 +1,11 @@
 #include "surface/main_extent.h"
 
 #include <algorithm>
-#include <numeric>
 #include <vector>
 
 namespace morphgrid {
 namespace {
 
-constexpr int kRounds = 2;        // What two axes have cut off may leave gaps along the third.
 constexpr double kFarAway = 0.5;  // In sizes of the part.
 
 struct Piece {
@@ -69,13 +67,15 @@ Piece mainOf(int axis, const std::vector<Piece>& joined) {
 
 Eigen::AlignedBox3d mainExtent(const TriangleMesh& mesh) {
   std::vector<Piece> pieces = piecesOf(mesh);
-  for (int pass = 0; pass < 3 * kRounds; ++pass) {
-    const int axis = pass % 3;
-    std::sort(pieces.begin(), pieces.end(), [&](const Piece& a, const Piece& b) {
-      return a.box.min()[axis] < b.box.min()[axis];
-    });
-    const Piece main = mainOf(axis, joinAlong(axis, pieces));
-    std::erase_if(pieces, [&](const Piece& piece) { return !main.box.contains(piece.box); });
+  for (std::size_t before = 0; before != pieces.size();) {
+    before = pieces.size();
+    for (int axis = 0; axis < 3; ++axis) {
+      std::sort(pieces.begin(), pieces.end(), [&](const Piece& a, const Piece& b) {
+        return a.box.min()[axis] < b.box.min()[axis];
+      });
+      const Piece main = mainOf(axis, joinAlong(axis, pieces));
+      std::erase_if(pieces, [&](const Piece& piece) { return !main.box.contains(piece.box); });
+    }
   }
   Eigen::AlignedBox3d extent;
   for (const Piece& piece : pieces) extent.extend(piece.box);

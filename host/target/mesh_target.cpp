@@ -26,7 +26,7 @@ class MeshTarget final : public Target {
     figures_.triangles = static_cast<int>(sampling_.mesh.triangles.cols());
     figures_.extent = boundingBox(sampling_.mesh);
     figures_.suggestedBox =
-        suggestBox(placed_->caster, mainExtent(sampling_.mesh), request.configuration.samplesU,
+        suggestBox(placed_->caster, placed_->extent, request.configuration.samplesU,
                    request.configuration.samplesV, request.steepestSlope, request.fillHoles);
     if (!request.box) {
       throw errorAt(request.boxPlace,
@@ -113,6 +113,7 @@ std::unique_ptr<TargetSampler> MeshTarget::sampler(const Cancellation& cancellat
 
 PlacedMesh::PlacedMesh(TriangleMesh moved)
     : mesh(std::move(moved)),
+      extent(mainExtent(mesh)),
       caster(addSeconds(secondsBuild, [&] { return MeshRayCaster(mesh); })) {}
 
 std::shared_ptr<const PlacedMesh> placeMesh(const TriangleMesh& loaded,

@@ -11,7 +11,8 @@ struct PlacedMesh {
   explicit PlacedMesh(TriangleMesh moved);
 
   TriangleMesh mesh;
-  double secondsBuild = 0;  ///< Wall time of building the caster.
+  Eigen::AlignedBox3d extent;  ///< Without debris, see mainExtent().
+  double secondsBuild = 0;     ///< Wall time of building the caster.
   MeshRayCaster caster;
 };
 

