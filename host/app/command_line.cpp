@@ -17,6 +17,8 @@ namespace {
 
 constexpr const char* kExamples = R"(
 Examples:
+  morphgrid run model.obj
+  morphgrid new model.obj --size 150 --nodes 24
   morphgrid run scenes/egg_chair.toml
   morphgrid run scenes/iris_petal.toml --out /tmp/petal --set grid.layers=3
   morphgrid run scenes/face.toml --set grid.nodes_long=600 --checkpoint face.checkpoint

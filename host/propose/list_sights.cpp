@@ -38,7 +38,7 @@ Vector3d meanNormal(const TriangleMesh& mesh) {
     const Vector3d second = mesh.vertices.col(triangle[2]) - corner;
     sum += first.cross(second) / 2;
   }
-  const double area = areaOf(mesh);
+  const double area = surfaceArea(mesh);
   return area > 0 ? Vector3d(sum / area) : Vector3d::Zero();
 }
 

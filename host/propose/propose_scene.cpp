@@ -35,7 +35,7 @@ class Proposer {
         tryDesign_(tryDesign),
         watch_(watch),
         mesh_(loadMesh(request.mesh)),
-        meshArea_(areaOf(mesh_)) {}
+        meshArea_(surfaceArea(mesh_)) {}
 
   SceneProposal propose() {
     tell("looking at it from all sides");

@@ -76,7 +76,7 @@ double areaBetween(const RayHits& hits) {
 
 std::vector<SightRating> rateSights(const TriangleMesh& mesh, const std::vector<Sight>& sights,
                                     const Cancellation& cancellation) {
-  const double area = areaOf(mesh);
+  const double area = surfaceArea(mesh);
   std::vector<SightRating> ratings;
   for (const Sight& sight : sights) {
     cancellation.check();

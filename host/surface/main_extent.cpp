@@ -82,7 +82,7 @@ Eigen::AlignedBox3d mainExtent(const TriangleMesh& mesh) {
   return extent;
 }
 
-double areaOf(const TriangleMesh& mesh) {
+double surfaceArea(const TriangleMesh& mesh) {
   double area = 0;
   for (Eigen::Index t = 0; t < mesh.triangles.cols(); ++t) area += triangleArea(mesh, t);
   return area;

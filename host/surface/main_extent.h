@@ -8,6 +8,6 @@ namespace morphgrid {
 Eigen::AlignedBox3d mainExtent(const TriangleMesh& mesh);
 
 /// Of all triangles.
-double areaOf(const TriangleMesh& mesh);
+double surfaceArea(const TriangleMesh& mesh);
 
 }  // namespace morphgrid

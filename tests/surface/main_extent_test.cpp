@@ -42,8 +42,8 @@ TEST(MainExtent, TakesTheLargerOfTwo) {
   EXPECT_TRUE(mainExtent(joined(small, sheet())).isApprox(boundingBox(sheet())));
 }
 
-TEST(AreaOf, AddsTriangles) {
-  EXPECT_NEAR(areaOf(heightField({0, 0, 2, 3}, 4, 5, [](double, double) { return 7; })), 6, 1e-12);
+TEST(SurfaceArea, AddsTriangles) {
+  EXPECT_NEAR(surfaceArea(heightField({0, 0, 2, 3}, 4, 5, [](double, double) { return 7; })), 6, 1e-12);
 }
 
 TEST(BoxAsToml, HasTheDigitsThatRaysNeed) {
