@@ -17,6 +17,8 @@ namespace {
 
 constexpr const char* kExamples = R"(
 Examples:
+  morphgrid run model.obj
+  morphgrid new model.obj --size 150 --nodes 24
   morphgrid run scenes/egg_chair.toml
   morphgrid run scenes/iris_petal.toml --out /tmp/petal --set grid.layers=3
   morphgrid run scenes/face.toml --set grid.nodes_long=600 --checkpoint face.checkpoint
@@ -71,6 +73,7 @@ int runCommandLine(int argc, char** argv) {
   app.require_subcommand(1);
 
   Action action;
+  addNewCommand(app, action);
   addRunCommand(app, action);
   addCheckCommand(app, action);
   addFiguresCommand(app, action);

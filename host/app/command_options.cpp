@@ -15,14 +15,17 @@ void addArguments(CLI::App& command, const char* scene, SceneArguments& argument
 }  // namespace
 
 void addSceneArguments(CLI::App& command, SceneArguments& arguments) {
-  addArguments(command, "scene file, see docs/scene_format.md", arguments);
+  addArguments(command,
+               "scene file, see docs/scene_format.md; or a mesh, for which a scene is proposed",
+               arguments);
 }
 
 void addSceneOrRunArguments(CLI::App& command, SceneArguments& arguments) {
-  addArguments(command,
-               "scene file, see docs/scene_format.md; or a finished run: its folder or its "
-               "state.safetensors",
-               arguments);
+  addArguments(
+      command,
+      "scene file, see docs/scene_format.md; or a mesh, for which a scene is proposed; or a "
+      "finished run: its folder or its state.safetensors",
+      arguments);
 }
 
 void addDeviceOptions(CLI::App& command, DeviceOptions& options) {

@@ -13,6 +13,7 @@ using Action = std::function<int()>;
 
 // Each adds one subcommand, with its options; where the user gives it, `action` becomes what it
 // does. Keeps a reference to `action`.
+void addNewCommand(CLI::App& app, Action& action);
 void addRunCommand(CLI::App& app, Action& action);
 void addCheckCommand(CLI::App& app, Action& action);
 void addFiguresCommand(CLI::App& app, Action& action);

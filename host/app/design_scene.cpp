@@ -84,6 +84,25 @@ void layOut(SceneDesign& designed, const ShrinkRange& shrink, const Cancellation
   designed.notices.insert(designed.notices.end(), advice.begin(), advice.end());
 }
 
+/// Nodes that Eq. 23 has raised may be so close that their rays find what those asked for do not.
+template <typename Choose>
+ChosenNet naming(const GridSize& size, const DesignRequest& request, const SurfaceSurvey& survey,
+                 const Choose& choose) {
+  try {
+    return choose();
+  } catch (const InputError& error) {
+    if (std::max(size.nodesU, size.nodesV) <= request.nodesLong) throw;
+    const auto cutoff = suggestCutoff(survey, request);
+    throw InputError(fmt::format(
+        "{}\n{} nodes were raised to {} for curvature up to {:.4g} (Eq. 23), whose rays are so "
+        "close{}",
+        error.what(), request.nodesLong, std::max(size.nodesU, size.nodesV), size.curvatureLimit,
+        cutoff
+            ? fmt::format(": grid.curvature_cutoff = {:g} keeps those that were asked for", *cutoff)
+            : ""));
+  }
+}
+
 SceneDesign designFor(const Scene& scene, const std::shared_ptr<const Target>& target,
                       const Cancellation& cancellation) {
   const DesignRequest& request = scene.design;
@@ -92,8 +111,9 @@ SceneDesign designFor(const Scene& scene, const std::shared_ptr<const Target>& t
   const std::optional<LatticeMap> map = mapFor(request.net, *sampler);
   const GridSize size =
       chooseGridSize(survey, request, map ? std::optional(map->modulus) : std::nullopt);
-  const ChosenNet chosen =
-      chooseNet(map, size, request, [&](const Net& net) { return sampler->points(net); });
+  const ChosenNet chosen = naming(size, request, survey, [&] {
+    return chooseNet(map, size, request, [&](const Net& net) { return sampler->points(net); });
+  });
   SurfaceMeasurement measurement = sampler->measure(chosen.net, chosen.points, size.curvatureLimit);
   Eigen::Matrix3Xd normals;
   if (request.reference == Reference::middle || request.layout == Layout::conformal) {

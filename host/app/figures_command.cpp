@@ -4,6 +4,7 @@
 #include "app/command_options.h"
 #include "app/commands.h"
 #include "app/figures.h"
+#include "app/propose_files.h"
 #include "app/scene.h"
 #include "app/state_argument.h"
 #include "core/interrupt.h"
@@ -25,7 +26,8 @@ FiguresRecord figuresOfRun(const std::filesystem::path& state, FiguresOptions& o
 }
 
 FiguresRecord figuresOfScene(const SceneArguments& arguments, FiguresOptions& options) {
-  const Scene scene = loadScene(arguments.scene, arguments.overrides);
+  const Scene scene = loadScene(
+      sceneFor(arguments.scene, options.sheet.parent_path(), options.quiet), arguments.overrides);
   if (options.sheet.empty()) {
     options.sheet = std::filesystem::path("out") / scene.name / "figures.png";
   }

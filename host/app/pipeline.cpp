@@ -5,6 +5,7 @@
 #include <chrono>
 
 #include "app/device_capacity.h"
+#include "app/list_levers.h"
 #include "app/restored_run.h"
 #include "app/simulate_scene.h"
 #include "core/atomic_file.h"
@@ -20,6 +21,7 @@
 namespace morphgrid {
 namespace {
 
+constexpr double kFarOff = 1;          // % of the diagonal: then what would help is looked for.
 constexpr int kSurfaceRefinement = 4;  // Cells per grid cell, along u and v, of the surface files.
 
 void writePicture(const std::filesystem::path& path, const Panel& panel, PictureOptions options) {
@@ -97,6 +99,10 @@ RunRecord runScene(const Scene& scene, const RunOptions& options) {
   context.requireSilence();
   RunRecord& record = simulation.record;
   record.deviceFailure = context.failure;
+  if (record.distance && record.distance->rmsPercent > kFarOff && !scene.solve.stopRequested()) {
+    const std::vector<std::string> levers = listLevers(scene, designed);
+    record.notices.insert(record.notices.end(), levers.begin(), levers.end());
+  }
   record.secondsTotal =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   writeFileAtomically(folder / "convergence.csv", toConvergenceCsv(record));

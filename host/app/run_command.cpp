@@ -4,6 +4,7 @@
 #include "app/command_options.h"
 #include "app/commands.h"
 #include "app/pipeline.h"
+#include "app/propose_files.h"
 #include "app/state_argument.h"
 #include "core/interrupt.h"
 #include "report/report_table.h"
@@ -31,7 +32,9 @@ int run(const RunArguments& arguments) {
   if (arguments.smallestEigenvalue) {
     overrides.emplace_back("solver.smallest_eigenvalue=true");
   }
-  const Scene scene = loadScene(arguments.scene.scene, overrides);
+  const Scene scene = loadScene(
+      sceneFor(arguments.scene.scene, arguments.options.outputFolder, arguments.options.quiet),
+      overrides);
   RunOptions options = arguments.options;
   if (options.outputFolder.empty()) {
     options.outputFolder = std::filesystem::path("out") / scene.name;

@@ -93,7 +93,8 @@ SceneKeySection surfaceKeys() {
            .value = meshConfigurationKey(),
            .kinds = kMesh,
            .isRequired = true,
-           .meaning = "The mesh configuration, relative to the scene file."},
+           .meaning =
+               "The mesh configuration, relative to the scene file; or the mesh itself, as it is."},
           boxKey("u_start", &SamplingBox::uStart, {},
                  "Where the box of rays begins along u, the y axis."),
           boxKey("v_start", &SamplingBox::vStart, {}, "Where it begins along v, the z axis."),

@@ -2,6 +2,7 @@
 #include "app/command_options.h"
 #include "app/commands.h"
 #include "app/live_run.h"
+#include "app/propose_files.h"
 #include "core/interrupt.h"
 #include "view/viewer.h"
 
@@ -24,7 +25,8 @@ LiveRunOptions optionsFor(const ViewArguments& arguments) {
   if (state) {
     options.stored.emplace(*state);
   }
-  options.scene = state ? options.stored->origin() : sceneFile(arguments.scene.scene);
+  options.scene = state ? options.stored->origin()
+                        : sceneFile(sceneFor(arguments.scene.scene, arguments.outputFolder, false));
   const Scene scene = loadScene(options.scene, options.overrides);
   if (!state || !options.stored->isOf(options.overrides)) {
     options.targets.targetOf(scene);

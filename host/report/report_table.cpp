@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "report/degrees.h"
+#include "surface/box_text.h"
 
 namespace morphgrid {
 namespace {
@@ -121,11 +122,7 @@ void addMesh(Table& table, const RunRecord& record) {
       fmt::format("  mesh spans x {:.6g} to {:.6g}, y (u) {:.6g} to {:.6g}, z (v) {:.6g} to {:.6g}",
                   low.x(), high.x(), low.y(), high.y(), low.z(), high.z()));
   if (m.suggestedBox) {
-    const SamplingBox& box = *m.suggestedBox;
-    table.line(
-        fmt::format("  a box without holes: u_start = {:.6g}, v_start = {:.6g}, u_length = {:.6g}, "
-                    "v_length = {:.6g}",
-                    box.uStart, box.vStart, box.uLength, box.vLength));
+    table.line("  a box without holes:\n" + boxAsToml(*m.suggestedBox));
   }
 }
 

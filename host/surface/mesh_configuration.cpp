@@ -109,11 +109,7 @@ bool MeshConfiguration::operator==(const MeshConfiguration& other) const {
 }
 
 MeshConfiguration readMeshConfiguration(const std::filesystem::path& file) {
-  if (isMeshName(file)) {
-    throw InputError(fmt::format(
-        "{}: is a mesh; a mesh configuration is due, a TOML file that says mesh = \"{}\"",
-        file.string(), file.filename().string()));
-  }
+  if (isMeshName(file)) return {.mesh = file};
   TomlReader reader(file, parseToml(file));
   return readTopLevel(reader, meshConfigurationKeys());
 }

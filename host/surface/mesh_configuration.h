@@ -20,7 +20,7 @@ struct MeshConfiguration {
 /// Reads a TOML file of `mesh`, `samples_u`, `samples_v`, `subdivisions` and an array `transforms`
 /// of tables, each one of `rotate = {axis = [x, y, z], degrees = d}`, `scale = s` or `[x, y, z]` >
 /// 0, `translate = [x, y, z]`, applied in that order. Throws InputError with every problem as
-/// `file:line:column: ...`, one a line.
+/// `file:line:column: ...`, one a line. A mesh file is taken as it is, without transforms.
 MeshConfiguration readMeshConfiguration(const std::filesystem::path& file);
 
 }  // namespace morphgrid

@@ -38,11 +38,13 @@ int fillHoles(RayHits& hits, double widest);
 /// slopeLimit, its edges on rays; nothing when there is none of at least 4 x 4 rays.
 std::optional<SamplingBox> largestBoxWithoutHoles(const RayHits& hits, double slopeLimit);
 
-/// Searches the mesh's extent for such a box that also countU x countV rays of its own find without
-/// a hole or a steeper step; it keeps a little away from what bounds it, so that rounding it and
-/// casting other counts does no harm. countU, countV >= 4; nothing when none is found.
+/// Searches an extent for such a box that also the rays of every later stage find without a hole
+/// or a steeper step: countU x countV samples, the maps of nets and grids of any usual size. Holes
+/// up to fillHoles are closed first, see fillHoles(). The box keeps a little away from what bounds
+/// it and is written in few digits, see boxAsToml(). countU, countV >= 4; nothing when none is
+/// found.
 std::optional<SamplingBox> suggestBox(const MeshRayCaster& caster,
                                       const Eigen::AlignedBox3d& extent, int countU, int countV,
-                                      double slopeLimit);
+                                      double slopeLimit, double fillHoles = 0);
 
 }  // namespace morphgrid

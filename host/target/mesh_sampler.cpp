@@ -4,8 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
+#include "core/decimals.h"
 #include "core/error.h"
+#include "surface/box_text.h"
 #include "surface/ray_hits.h"
 
 namespace morphgrid {
@@ -13,11 +16,7 @@ namespace {
 
 /// How far to either side normals look, in shares of the box.
 constexpr double kNormalReach = 0.02;
-
-std::string inWords(const SamplingBox& box) {
-  return fmt::format("u_start = {:.6g}, v_start = {:.6g}, u_length = {:.6g}, v_length = {:.6g}",
-                     box.uStart, box.vStart, box.uLength, box.vLength);
-}
+constexpr double kSmallest = std::numeric_limits<double>::min();
 
 std::string inWords(const Hole& hole) {
   return fmt::format("{} {} at u {:.4g} to {:.4g}, v {:.4g} to {:.4g}", hole.rays,
@@ -39,13 +38,32 @@ double interpolateX(const RayHits& lattice, const Eigen::Vector2d& parameters) {
 
 }  // namespace
 
-RayHits MeshSampler::cast(int countU, int countV) {
+RayHits MeshSampler::castAndFill(int countU, int countV) {
   RayHits hits = addSeconds(figures_.secondsRays,
                             [&] { return caster_.cast(rays_.box, countU, countV, cancellation_); });
   figures_.rays += static_cast<int>(hits.hit.size());
   figures_.missed += static_cast<int>(std::count(hits.hit.begin(), hits.hit.end(), 0));
   if (rays_.fillHoles > 0) {
     fillHoles(hits, rays_.fillHoles);
+  }
+  return hits;
+}
+
+RayHits MeshSampler::cast(int countU, int countV) {
+  RayHits hits = castAndFill(countU, countV);
+  requireHits(hits);
+  requireGentleSteps(hits);
+  return hits;
+}
+
+RayHits MeshSampler::cast(int countU, int countV, const RayHits& samples) {
+  RayHits hits = castAndFill(countU, countV);
+  for (int ray = 0; rays_.fillHoles > 0 && ray < static_cast<int>(hits.hit.size()); ++ray) {
+    if (hits.hit[ray]) continue;
+    const Eigen::Vector2d place(double(ray % countU) / (countU - 1),
+                                double(ray / countU) / (countV - 1));
+    hits.points(0, ray) = interpolateX(samples, place);
+    hits.hit[ray] = 1;
   }
   requireHits(hits);
   requireGentleSteps(hits);
@@ -67,7 +85,7 @@ Eigen::Matrix3Xd MeshSampler::castThrough(const Eigen::Matrix2Xd& parameters,
     if (rays_.fillHoles <= 0) {
       throw InputError(fmt::format(
           "a ray of the net misses {} at u {:.6g}, v {:.6g}, in a hole between the rays "
-          "sampled before; {}; or let surface.fill_holes close it",
+          "sampled before; let surface.fill_holes close it, or choose another box; {}",
           figures_.file, places(0, n), places(1, n), adviseOnBox(figures_)));
     }
     points(0, n) = interpolateX(lattice, parameters.col(n));
@@ -101,9 +119,9 @@ void MeshSampler::requireHits(const RayHits& hits) const {
     missed += hole.rays;
   }
   throw InputError(fmt::format(
-      "{} of {} rays miss {} in {} {}, the largest of {}; {}; or let "
-      "surface.fill_holes close holes "
-      "up to a width",
+      "{} of {} rays miss {} in {} {}, the largest of {}; let surface.fill_holes close holes up to "
+      "a "
+      "width, or choose another box; {}",
       missed, hits.hit.size(), figures_.file, holes.size(), holes.size() == 1 ? "hole" : "holes",
       inWords(holes.front()), adviseOnBox(figures_)));
 }
@@ -124,10 +142,14 @@ void MeshSampler::requireGentleSteps(const RayHits& hits) {
 
 std::string adviseOnBox(const MeshFigures& figures) {
   const Eigen::AlignedBox3d& extent = figures.extent;
-  return fmt::format("the mesh spans u {:.6g} to {:.6g}, v {:.6g} to {:.6g}; {}", extent.min().y(),
-                     extent.max().y(), extent.min().z(), extent.max().z(),
-                     figures.suggestedBox ? "a box without holes: " + inWords(*figures.suggestedBox)
-                                          : "no box without holes was found");
+  const Eigen::Vector3d sizes = extent.sizes();
+  const int decimals = decimalsFor(1e-3 * std::max({sizes.y(), sizes.z(), kSmallest}));
+  const auto text = [&](double value) { return inDecimals(value, decimals); };
+  return fmt::format("the mesh spans u {} to {}, v {} to {}; {}", text(extent.min().y()),
+                     text(extent.max().y()), text(extent.min().z()), text(extent.max().z()),
+                     figures.suggestedBox
+                         ? "a box without holes:\n" + boxAsToml(*figures.suggestedBox)
+                         : "no box without holes was found");
 }
 
 }  // namespace morphgrid

@@ -29,6 +29,9 @@ class MeshSampler {
   /// far as the settings allow. Throws InputError
   /// with advice when rays miss all the same or a step is too steep.
   RayHits cast(int countU, int countV);
+  /// The same where holes that may be filled can be too wide for a coarse lattice's own rim: then
+  /// rays lie on `samples`, an earlier cast.
+  RayHits cast(int countU, int countV, const RayHits& samples);
 
   /// The hits, 3 x n, of rays through the parameters, 2 x n in [0, 1]^2 of the box. Where holes may
   /// be filled, misses lie on `lattice`, an earlier cast; otherwise they are an InputError.
@@ -42,6 +45,7 @@ class MeshSampler {
   const MeshFigures& figures() const { return figures_; }
 
  private:
+  RayHits castAndFill(int countU, int countV);
   void requireHits(const RayHits& hits) const;
   void requireGentleSteps(const RayHits& hits);
 

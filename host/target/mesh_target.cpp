@@ -4,6 +4,7 @@
 
 #include "measure/lattice_measurement.h"
 #include "surface/load_mesh.h"
+#include "surface/main_extent.h"
 #include "surface/ray_hits.h"
 #include "surface/subdivide_mesh.h"
 #include "target/mesh_sampler.h"
@@ -11,35 +12,22 @@
 namespace morphgrid {
 namespace {
 
-/// Notices begin with the file's name.
-NotedMesh loadConfigured(const MeshConfiguration& configuration) {
-  const NotedMesh loaded = loadMesh(configuration.mesh);
-  try {
-    NotedMesh mesh = subdivideLoop(loaded.mesh, configuration.subdivisions);
-    mesh.mesh = transformed(configuration.worldFromMesh, std::move(mesh.mesh));
-    mesh.notices.insert(mesh.notices.begin(), loaded.notices.begin(), loaded.notices.end());
-    for (std::string& notice : mesh.notices) {
-      notice = fmt::format("{}: {}", configuration.mesh.string(), notice);
-    }
-    return mesh;
-  } catch (const InputError& error) {
-    throw InputError(fmt::format("{}: {}", configuration.mesh.string(), error.what()));
-  }
-}
-
 class MeshTarget final : public Target {
  public:
-  MeshTarget(const MeshRequest& request, const Cancellation& cancellation)
+  /// The file is watched from before place() loads it.
+  template <typename Place>
+  MeshTarget(const Place& place, const MeshRequest& request, const Cancellation& cancellation)
       : Target({request.configuration.mesh}),
         smoothingWidth_(request.smoothingWidth),
-        loaded_(loadConfigured(request.configuration)),
-        sampling_{std::move(loaded_.mesh), {}},
-        caster_(addSeconds(figures_.secondsBuild, [&] { return MeshRayCaster(sampling_.mesh); })) {
+        placed_(place()),
+        sampling_{placed_->mesh, {}} {
+    figures_.secondsBuild = placed_->secondsBuild;
     figures_.file = request.configuration.mesh.string();
     figures_.triangles = static_cast<int>(sampling_.mesh.triangles.cols());
     figures_.extent = boundingBox(sampling_.mesh);
-    figures_.suggestedBox = suggestBox(caster_, figures_.extent, request.configuration.samplesU,
-                                       request.configuration.samplesV, request.steepestSlope);
+    figures_.suggestedBox =
+        suggestBox(placed_->caster, placed_->extent, request.configuration.samplesU,
+                   request.configuration.samplesV, request.steepestSlope, request.fillHoles);
     if (!request.box) {
       throw errorAt(request.boxPlace,
                     "surface.u_start, v_start, u_length and v_length are missing: the box that "
@@ -54,7 +42,7 @@ class MeshTarget final : public Target {
     }
   }
 
-  std::vector<std::string> notices() const override { return loaded_.notices; }
+  std::vector<std::string> notices() const override { return placed_->notices; }
   const SurfaceSurvey& survey() const override { return survey_.survey; }
   std::optional<double> curvatureNoise() const override { return survey_.curvatureNoise; }
   std::unique_ptr<TargetSampler> sampler(const Cancellation& cancellation) const override;
@@ -65,7 +53,7 @@ class MeshTarget final : public Target {
   class Sampler;
 
   void surveyBox(const MeshConfiguration& configuration, const Cancellation& cancellation) {
-    MeshSampler sampler(caster_, rays_, figures_, cancellation);
+    MeshSampler sampler(placed_->caster, rays_, figures_, cancellation);
     sampling_.hits = sampler.cast(configuration.samplesU, configuration.samplesV);
     figures_ = sampler.figures();
     survey_ = surveyLattice(sampling_.hits.lattice(), smoothingWidth_, cancellation);
@@ -76,10 +64,9 @@ class MeshTarget final : public Target {
   }
 
   double smoothingWidth_;
-  NotedMesh loaded_;  ///< Without the mesh, once it is sampled.
+  std::shared_ptr<const PlacedMesh> placed_;
   MeshSampling sampling_;
   MeshFigures figures_;
-  MeshRayCaster caster_;
   RaySettings rays_{};
   LatticeSurvey survey_{};
 };
@@ -89,14 +76,15 @@ class MeshTarget::Sampler final : public TargetSampler {
   Sampler(const MeshTarget& target, const Cancellation& cancellation)
       : target_(target),
         cancellation_(cancellation),
-        sampler_(target.caster_, target.rays_, target.figures_, cancellation) {}
+        sampler_(target.placed_->caster, target.rays_, target.figures_, cancellation) {}
 
-  /// Along the isolines in a lattice, whose holes can be filled from their own rim.
+  /// Along the isolines in a lattice, whose holes can be filled from their own rim; what is too
+  /// coarse for that, from the samples.
   PointLattice points(const Net& net) override {
     const int countU = net.nodesU + 1;
     const int countV = net.nodesV + 1;
     if (net.followsIsolines) {
-      return sampler_.cast(countU, countV).lattice();
+      return sampler_.cast(countU, countV, target_.sampling_.hits).lattice();
     }
     return {countU, countV, sampler_.castThrough(net.parameters, target_.sampling_.hits)};
   }
@@ -124,9 +112,39 @@ std::unique_ptr<TargetSampler> MeshTarget::sampler(const Cancellation& cancellat
 
 }  // namespace
 
+PlacedMesh::PlacedMesh(NotedMesh moved)
+    : mesh(std::move(moved.mesh)),
+      notices(std::move(moved.notices)),
+      extent(mainExtent(mesh)),
+      caster(addSeconds(secondsBuild, [&] { return MeshRayCaster(mesh); })) {}
+
+std::shared_ptr<const PlacedMesh> placeMesh(const NotedMesh& loaded,
+                                            const MeshConfiguration& configuration) {
+  try {
+    NotedMesh mesh = subdivideLoop(loaded.mesh, configuration.subdivisions);
+    mesh.mesh = transformed(configuration.worldFromMesh, std::move(mesh.mesh));
+    mesh.notices.insert(mesh.notices.begin(), loaded.notices.begin(), loaded.notices.end());
+    for (std::string& notice : mesh.notices) {
+      notice = fmt::format("{}: {}", configuration.mesh.string(), notice);
+    }
+    return std::make_shared<PlacedMesh>(std::move(mesh));
+  } catch (const InputError& error) {
+    throw InputError(fmt::format("{}: {}", configuration.mesh.string(), error.what()));
+  }
+}
+
+std::shared_ptr<const Target> makeMeshTarget(const std::shared_ptr<const PlacedMesh>& placed,
+                                             const MeshRequest& request,
+                                             const Cancellation& cancellation) {
+  return std::make_shared<MeshTarget>([&] { return placed; }, request, cancellation);
+}
+
 std::shared_ptr<const Target> loadMeshTarget(const MeshRequest& request,
                                              const Cancellation& cancellation) {
-  return std::make_shared<MeshTarget>(request, cancellation);
+  const MeshConfiguration& configuration = request.configuration;
+  return std::make_shared<MeshTarget>(
+      [&] { return placeMesh(loadMesh(configuration.mesh), configuration); }, request,
+      cancellation);
 }
 
 }  // namespace morphgrid

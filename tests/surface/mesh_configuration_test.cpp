@@ -91,10 +91,8 @@ TEST(MeshConfiguration, ReportsMissingMeshesWithAHint) {
             "m.toml:1:8: mesh must name a readable file, got .: it is a folder");
 }
 
-TEST(MeshConfiguration, NamesMeshesForWhatTheyAre) {
-  EXPECT_EQ(problemsOf("v 0 0 0\n", "bowl.OBJ"),
-            "bowl.OBJ: is a mesh; a mesh configuration is due, a TOML file that says mesh = "
-            "\"bowl.OBJ\"");
+TEST(MeshConfiguration, OfAMeshTakesItAsItIs) {
+  EXPECT_EQ(readMeshConfiguration("some/bowl.OBJ"), MeshConfiguration{.mesh = "some/bowl.OBJ"});
 }
 
 TEST(MeshConfiguration, ReportsBadTransforms) {

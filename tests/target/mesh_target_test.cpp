@@ -93,7 +93,7 @@ TEST_F(MeshOnDisk, WithoutABoxIsToldWithOneToStartFrom) {
   EXPECT_THAT(problemOf(without),
               AllOf(StartsWith("scene.toml:4:11: surface.u_start, v_start, u_length and v_length "
                                "are missing: the box that rays sample; the mesh spans u -1 to 1"),
-                    HasSubstr("a box without holes: u_start = -0.98")));
+                    HasSubstr("a box without holes:\nu_start = -0.99")));
 }
 
 TEST_F(MeshOnDisk, WhatRaysMissIsToldWithTheBox) {

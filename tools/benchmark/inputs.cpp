@@ -124,8 +124,8 @@ std::string medianLine(const std::vector<DesignedInput>& all) {
   if (distances.empty()) return "";
   std::sort(distances.begin(), distances.end());
   const std::size_t half = distances.size() / 2;
-  const double median = distances.size() % 2 == 1 ? distances[half]
-                                                  : (distances[half - 1] + distances[half]) / 2;
+  const double median =
+      distances.size() % 2 == 1 ? distances[half] : (distances[half - 1] + distances[half]) / 2;
   return fmt::format("\nDesigned: {} of {}. RMS: median {:.3f} %, largest {:.3f} %.\n",
                      distances.size(), all.size(), median, distances.back());
 }

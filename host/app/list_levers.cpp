@@ -1,0 +1,166 @@
+#include "app/list_levers.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "core/error.h"
+#include "propose/choose_design.h"
+#include "report/degrees.h"
+#include "surface/box_text.h"
+#include "surface/load_mesh.h"
+#include "surface/main_extent.h"
+#include "surface/ray_hits.h"
+#include "target/mesh_target.h"
+
+namespace morphgrid {
+namespace {
+
+constexpr double kWorthIt = 0.8;  // A lever that leaves more of what is wrong is not named.
+constexpr std::array kGentleSlopes = {2.0, 1.0};  // Of 63 and 45 degrees.
+constexpr double kMuchLarger = 1.5;  // Times as large is a box that is worth turning the mesh.
+constexpr int kRoundsOffered = 2;
+constexpr double kMostlyOpen = 0.3;  // How far an open sheet faces one side.
+
+/// What resists, by geometry, and in words.
+struct Resistance {
+  double amount = 0;
+  std::string inWords;
+};
+
+Resistance resistanceOf(const SceneDesign& designed) {
+  if (designed.sheet) {
+    const SheetFigures& sheet = designed.sheet->figures;
+    const double outside = 100.0 * sheet.strutsOutOfRange / std::max(sheet.lateralStruts, 1);
+    return {outside + degrees(sheet.meanTwist),
+            fmt::format("{:.3g} % of the struts beyond the material's range and {:.1f} degrees of "
+                        "twist",
+                        outside, degrees(sheet.meanTwist))};
+  }
+  const double off = degrees(designed.net->quality.meanAngleDeviation);
+  return {off, fmt::format("corners {:.1f} degrees off 90 in the mean", off)};
+}
+
+/// A scene changed in one way, and what that gives where it helps.
+class Levers {
+ public:
+  Levers(const Scene& scene, const SceneDesign& designed)
+      : scene_(scene), designed_(designed), now_(resistanceOf(designed)) {}
+
+  std::vector<std::string> list() {
+    tryNet();
+    tryBox();
+    trySubdivision();
+    return std::move(notices_);
+  }
+
+ private:
+  const MeshRequest& surface() const { return std::get<MeshRequest>(scene_.surface); }
+
+  /// The lever's design; whether it is one.
+  template <typename Design>
+  bool attempt(const std::string& change, const Design& design, const std::string& more = "") {
+    try {
+      const Resistance then = resistanceOf(design());
+      if (then.amount >= kWorthIt * now_.amount) return false;
+      notices_.push_back(
+          fmt::format("{} leaves {}, now {}{}", change, then.inWords, now_.inWords, more));
+      return true;
+    } catch (const InputError&) {
+      return false;  // What cannot be designed helps nobody.
+    }
+  }
+
+  void tryNet() {
+    Scene changed = scene_;
+    const bool isIsoline = scene_.design.net == NetKind::isoline;
+    changed.design.net = isIsoline ? NetKind::orthogonal : NetKind::isoline;
+    if (isIsoline) changed.design.reference = Reference::middle;
+    attempt(fmt::format("design.net = \"{}\"", nameOf(changed.design.net)),
+            [&] { return designScene(changed, designed_.target); });
+  }
+
+  void tryBox() {
+    for (const double slope : kGentleSlopes) {
+      if (designed_.mesh && designed_.mesh->largestJump > slope && tryBox(slope)) return;
+    }
+  }
+
+  bool tryBox(double slope) {
+    Scene changed = scene_;
+    auto& request = std::get<MeshRequest>(changed.surface);
+    const TriangleMesh& mesh = designed_.target->meshSampling()->mesh;
+    const MeshConfiguration& configuration = request.configuration;
+    request.box = suggestBox(MeshRayCaster(mesh), mainExtent(mesh), configuration.samplesU,
+                             configuration.samplesV, slope, request.fillHoles);
+    return request.box && attempt(
+                              fmt::format("a box without slopes beyond {:g}", slope),
+                              [&] { return designScene(changed); },
+                              fmt::format(" (surface.steepest_slope = {:g} finds it):\n{}", slope,
+                                          boxAsToml(*request.box)));
+  }
+
+  void trySubdivision() {
+    if (surface().configuration.subdivisions > 0 || !looksFaceted(designed_.target->survey())) {
+      return;
+    }
+    Scene changed = scene_;
+    std::get<MeshRequest>(changed.surface).configuration.subdivisions = kRoundsOffered;
+    try {
+      const auto target = loadTarget(changed);
+      const auto curvatureOf = [](const Target& of) {
+        return curvatureAtCutoff(of.survey(), 0.95);
+      };
+      const double then = curvatureOf(*target);
+      const double now = curvatureOf(*designed_.target);
+      if (then < kWorthIt * now) {
+        notices_.push_back(fmt::format(
+            "the mesh is made of flat facets, whose creases carry all curvature: subdivisions = {} "
+            "in its configuration leaves {:.3g} where it is strong (the cutoff 0.95), now {:.3g}",
+            kRoundsOffered, then, now));
+      }
+    } catch (const InputError&) {
+      // Not every mesh can be subdivided.
+    }
+  }
+
+  const Scene& scene_;
+  const SceneDesign& designed_;
+  Resistance now_;
+  std::vector<std::string> notices_;
+};
+
+}  // namespace
+
+std::vector<std::string> listLevers(const Scene& scene, const SceneDesign& designed) {
+  if (!std::holds_alternative<MeshRequest>(scene.surface)) return {};
+  return Levers(scene, designed).list();
+}
+
+MeshSides lookAtMesh(const Scene& scene) {
+  const MeshConfiguration& configuration = std::get<MeshRequest>(scene.surface).configuration;
+  MeshSides sides{placeMesh(loadMesh(configuration.mesh), configuration)->mesh, {}};
+  const Cancellation cancellation([&] { return scene.solve.stopRequested(); });
+  sides.sights = rateSights(sides.mesh, listSights(sides.mesh), cancellation);
+  return sides;
+}
+
+std::vector<std::string> adviseOnSides(const std::vector<SightRating>& sights) {
+  const SightRating& best = sights.front();
+  const auto now = std::ranges::find_if(
+      sights, [](const SightRating& rating) { return rating.sight.degrees == 0; });
+  if (now == sights.end() || best.share <= kMuchLarger * now->share) return {};
+  const Sight& sight = best.sight;
+  const bool isSheet = std::abs(best.facing) > kMostlyOpen;
+  return {fmt::format(
+      "{} a box shows {:.0f} % of the surface, along +x, where rays look, {:.1f} %: end the mesh's "
+      "transforms with {{rotate = {{axis = [{}, {}, {}], degrees = {}}}}}{}",
+      sight.name, 100 * best.share, 100 * now->share, sight.axis.x(), sight.axis.y(),
+      sight.axis.z(), sight.degrees,
+      isSheet && std::abs(sight.degrees) == 90
+          ? fmt::format(", or from behind with degrees = {}", -sight.degrees)
+          : "")};
+}
+
+}  // namespace morphgrid

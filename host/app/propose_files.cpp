@@ -1,0 +1,112 @@
+#include "app/propose_files.h"
+
+#include <fmt/format.h>
+#include <spdlog/spdlog.h>
+#include <unistd.h>
+
+#include "app/draw_preview.h"
+#include "app/proposal_text.h"
+#include "app/try_design.h"
+#include "core/atomic_file.h"
+#include "core/create_folder.h"
+#include "core/error.h"
+#include "core/interrupt.h"
+#include "core/read_file.h"
+#include "propose/propose_scene.h"
+#include "surface/load_mesh.h"
+
+namespace morphgrid {
+namespace {
+
+/// A line on a terminal that is written over; elsewhere nothing.
+class ProposalLine {
+ public:
+  explicit ProposalLine(bool isQuiet) : isShown_(!isQuiet && isatty(STDERR_FILENO) != 0) {}
+  ~ProposalLine() {
+    if (isShown_) fmt::print(stderr, "\r\033[K");
+  }
+  ProposalLine(const ProposalLine&) = delete;
+  ProposalLine& operator=(const ProposalLine&) = delete;
+
+  void tell(const std::string& what) const {
+    if (!isShown_) return;
+    fmt::print(stderr, "\r\033[K{}", what);
+    std::fflush(stderr);
+  }
+
+ private:
+  bool isShown_;
+};
+
+/// What people have changed is not lost.
+void writeKeeping(const std::filesystem::path& file, const std::string& text) {
+  if (std::filesystem::exists(file) && readFile(file) != text) {
+    std::filesystem::path before = file;
+    before.replace_filename(file.stem().string() + "_before" + file.extension().string());
+    writeFileAtomically(before, readFile(file));
+  }
+  writeFileAtomically(file, text);
+}
+
+std::filesystem::path seenFrom(const std::filesystem::path& folder,
+                               const std::filesystem::path& file) {
+  std::error_code failed;
+  const auto relative = std::filesystem::relative(file, folder, failed);
+  return failed || relative.empty() ? std::filesystem::absolute(file) : relative;
+}
+
+/// Without a device that draws there is none, and a line says so.
+void drawSides(const SceneProposal& proposal, const std::filesystem::path& file) {
+  std::vector<PreviewSide> sides = previewSides(proposal.sights);
+  const Sight& chosen = proposal.placement.sight;
+  std::erase_if(sides, [&](const PreviewSide& side) { return side.sight.name == chosen.name; });
+  sides.insert(sides.begin(), {chosen, proposal.seen,
+                               fmt::format("chosen, {}: {:.0f} % of the surface", chosen.name,
+                                           100 * proposal.share)});
+  try {
+    drawPreview(file, proposal.request.mesh.filename().string(), proposal.mesh, sides);
+  } catch (const DeviceError& error) {
+    spdlog::warn("no {}: {}", file.string(), error.what());
+  }
+}
+
+}  // namespace
+
+ProposedFiles proposeFiles(const ProposalRequest& request, std::filesystem::path folder,
+                           bool isQuiet) {
+  installInterruptHandler();
+  const std::string name = request.mesh.stem().string();
+  if (folder.empty()) folder = std::filesystem::path("out") / name;
+  ProposedFiles files{folder / (name + ".toml"), {}};
+  {
+    const ProposalLine line(isQuiet);
+    files.proposal = proposeScene(
+        request, tryDesign,
+        {Cancellation(interruptRequested), [&](const std::string& what) { line.tell(what); }});
+  }
+  createFolder(folder, "--out " + folder.string());
+  const std::string configuration = name + "_mesh.toml";
+  writeKeeping(folder / configuration,
+               proposalMeshText(files.proposal, seenFrom(folder, request.mesh)));
+  writeKeeping(files.scene, proposalSceneText(files.proposal, configuration));
+  drawSides(files.proposal, folder / kPreviewFile);
+  return files;
+}
+
+void tellProposal(const ProposedFiles& files) {
+  fmt::print("{}scene in {}, the sides in {}\n", proposalSummary(files.proposal),
+             files.scene.string(), (files.scene.parent_path() / kPreviewFile).string());
+  std::fflush(stdout);
+}
+
+std::filesystem::path sceneFor(const std::filesystem::path& argument,
+                               const std::filesystem::path& folder, bool isQuiet) {
+  if (!isMeshName(argument)) return argument;
+  const ProposedFiles files = proposeFiles({.mesh = argument}, folder, isQuiet);
+  if (!isQuiet) {
+    tellProposal(files);
+  }
+  return files.scene;
+}
+
+}  // namespace morphgrid

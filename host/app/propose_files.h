@@ -1,0 +1,31 @@
+#pragma once
+#include <filesystem>
+
+#include "propose/scene_proposal.h"
+
+namespace morphgrid {
+
+/// The mesh from all sides, beside the scene and among a run's pictures.
+inline constexpr const char* kPreviewFile = "preview.png";
+
+struct ProposedFiles {
+  std::filesystem::path scene;  ///< FOLDER/NAME.toml; it names FOLDER/NAME_mesh.toml.
+  SceneProposal proposal;
+};
+
+/// Proposes a scene for a mesh and writes it and its mesh configuration into a folder; empty:
+/// out/NAME of the mesh. What was there and differs is kept as NAME_before.toml. Tells on stderr
+/// what is being done, unless quiet. Throws as proposeScene(), and InputError when the disk
+/// refuses.
+ProposedFiles proposeFiles(const ProposalRequest& request, std::filesystem::path folder,
+                           bool isQuiet);
+
+/// Prints what was decided, and where it is.
+void tellProposal(const ProposedFiles& files);
+
+/// The scene that a command works on: the argument itself, or, where it is a mesh, one that is
+/// proposed for it as above.
+std::filesystem::path sceneFor(const std::filesystem::path& argument,
+                               const std::filesystem::path& folder, bool isQuiet);
+
+}  // namespace morphgrid
