@@ -86,7 +86,7 @@ DesignedInput design(const Input& input, const std::filesystem::path& folder,
 }
 
 std::string outcomeOf(const RunRecord& record) {
-  const TargetDistance& distance = record.targetDistance.value();
+  const TargetDistance& distance = record.distance.value();
   const ShrinkFigures& shrink = record.shrink.value();
   return fmt::format("**{:.3f}** / {:.2f} | {:.1f} | {} / {}", distance.rmsPercent,
                      distance.maxPercent, shrink.largestPercent, shrink.strutsOverLimit,
@@ -100,7 +100,7 @@ std::string rowOf(const DesignedInput& one) {
     const SceneProposal& proposal = *one.proposal;
     const SamplingBox& box = *proposal.surface.box;
     row += fmt::format("{} | {:.3g} x {:.3g} | {:.0f} | {} | ", proposal.placement.sight.name,
-                       box.uMax - box.uMin, box.vMax - box.vMin, 100 * proposal.share,
+                       box.uLength, box.vLength, 100 * proposal.share,
                        nameOf(proposal.design.net));
   } else {
     row += "| | | | ";
@@ -117,8 +117,8 @@ std::string rowOf(const DesignedInput& one) {
 std::string medianLine(const std::vector<DesignedInput>& all) {
   std::vector<double> distances;
   for (const DesignedInput& one : all) {
-    if (one.record && one.record->targetDistance) {
-      distances.push_back(one.record->targetDistance->rmsPercent);
+    if (one.record && one.record->distance) {
+      distances.push_back(one.record->distance->rmsPercent);
     }
   }
   if (distances.empty()) return "";
