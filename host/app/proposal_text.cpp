@@ -117,7 +117,7 @@ std::string proposalMeshText(const SceneProposal& proposal, const std::filesyste
   std::string text = fmt::format("mesh = {}\n", quoted(mesh.string()));
   if (configuration.subdivisions > 0) {
     text += fmt::format("subdivisions = {} # Its {} triangles are flat facets: smoothed.\n",
-                        configuration.subdivisions, proposal.mesh.triangles.cols());
+                        configuration.subdivisions, proposal.triangles);
   }
   text += transformsOf(proposal.placement);
   text += fmt::format("samples_u = {}\nsamples_v = {}\n", configuration.samplesU,

@@ -43,7 +43,8 @@ TEST(MainExtent, TakesTheLargerOfTwo) {
 }
 
 TEST(SurfaceArea, AddsTriangles) {
-  EXPECT_NEAR(surfaceArea(heightField({0, 0, 2, 3}, 4, 5, [](double, double) { return 7; })), 6, 1e-12);
+  EXPECT_NEAR(surfaceArea(heightField({0, 0, 2, 3}, 4, 5, [](double, double) { return 7; })), 6,
+              1e-12);
 }
 
 TEST(BoxAsToml, HasTheDigitsThatRaysNeed) {
