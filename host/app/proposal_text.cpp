@@ -72,10 +72,11 @@ std::string gridText(const DesignRequest& design, bool isPapers) {
 }
 
 std::string netText(const SceneProposal& proposal) {
-  return fmt::format("net = \"{}\" # {}\n", nameOf(proposal.design.net),
-                     proposal.design.net == NetKind::isoline
-                         ? "\"orthogonal\" came out no better."
-                         : "Lines that cross at right angles: came out better than \"isoline\".");
+  const NetKind net = proposal.design.net;
+  const char* why = "Lines that cross at right angles: came out better than \"isoline\".";
+  if (net == NetKind::isoline) why = "\"orthogonal\" came out no better.";
+  if (proposal.request.isPapers) why = "As in the paper.";
+  return fmt::format("net = \"{}\" # {}\n", nameOf(net), why);
 }
 
 std::string trueDesignText(const SceneProposal& proposal) {
