@@ -36,6 +36,8 @@ void showSides(const Scene& scene, bool draws) {
     std::fflush(stdout);
   } catch (const DeviceError& error) {
     spdlog::warn("no {}: {}", kPreviewFile, error.what());
+  } catch (const InputError& error) {  // Nobody has asked a check to write.
+    spdlog::warn("no {}: {}", kPreviewFile, error.what());
   }
 }
 
@@ -64,10 +66,10 @@ int check(const SceneArguments& arguments) {
 
 void addCheckCommand(CLI::App& app, Action& action) {
   const auto arguments = std::make_shared<SceneArguments>();
-  CLI::App* command = app.add_subcommand("check",
-                                         "read, measure and design; print the table and what would "
-                                         "help, draw a mesh from all sides, solve "
-                                         "nothing");
+  CLI::App* command = app.add_subcommand(
+      "check",
+      "read, measure and design; print the table and what would help, draw a mesh from all sides "
+      "into out/SCENE/preview.png; solve nothing");
   addSceneArguments(*command, *arguments);
   command->callback([&action, arguments] { action = [=] { return check(*arguments); }; });
 }

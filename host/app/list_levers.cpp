@@ -7,12 +7,13 @@
 
 #include "core/error.h"
 #include "propose/choose_design.h"
+#include "propose/coarsen.h"
 #include "report/degrees.h"
 #include "surface/box_text.h"
 #include "surface/load_mesh.h"
 #include "surface/main_extent.h"
 #include "surface/ray_hits.h"
-#include "target/mesh_target.h"
+#include "surface/subdivide_mesh.h"
 
 namespace morphgrid {
 namespace {
@@ -140,7 +141,8 @@ std::vector<std::string> listLevers(const Scene& scene, const SceneDesign& desig
 
 MeshSides lookAtMesh(const Scene& scene) {
   const MeshConfiguration& configuration = std::get<MeshRequest>(scene.surface).configuration;
-  MeshSides sides{placeMesh(loadMesh(configuration.mesh), configuration)->mesh, {}};
+  const TriangleMesh mesh = subdivideLoop(loadMesh(configuration.mesh), configuration.subdivisions);
+  MeshSides sides{coarsened(transformed(configuration.worldFromMesh, mesh)), {}};
   const Cancellation cancellation([&] { return scene.solve.stopRequested(); });
   sides.sights = rateSights(sides.mesh, listSights(sides.mesh), cancellation);
   return sides;

@@ -14,7 +14,7 @@ std::vector<std::string> listLevers(const Scene& scene, const SceneDesign& desig
 
 /// The sides of a scene's mesh as it is configured; rays look along its +x.
 struct MeshSides {
-  TriangleMesh mesh;
+  TriangleMesh mesh;                ///< coarsened()
   std::vector<SightRating> sights;  ///< The best first.
 };
 MeshSides lookAtMesh(const Scene& scene);

@@ -72,10 +72,11 @@ std::string gridText(const DesignRequest& design, bool isPapers) {
 }
 
 std::string netText(const SceneProposal& proposal) {
-  return fmt::format("net = \"{}\" # {}\n", nameOf(proposal.design.net),
-                     proposal.design.net == NetKind::isoline
-                         ? "\"orthogonal\" came out no better."
-                         : "Lines that cross at right angles: came out better than \"isoline\".");
+  const NetKind net = proposal.design.net;
+  const char* why = "Lines that cross at right angles: came out better than \"isoline\".";
+  if (net == NetKind::isoline) why = "\"orthogonal\" came out no better.";
+  if (proposal.request.isPapers) why = "As in the paper.";
+  return fmt::format("net = \"{}\" # {}\n", nameOf(net), why);
 }
 
 std::string trueDesignText(const SceneProposal& proposal) {
@@ -117,7 +118,7 @@ std::string proposalMeshText(const SceneProposal& proposal, const std::filesyste
   std::string text = fmt::format("mesh = {}\n", quoted(mesh.string()));
   if (configuration.subdivisions > 0) {
     text += fmt::format("subdivisions = {} # Its {} triangles are flat facets: smoothed.\n",
-                        configuration.subdivisions, proposal.mesh.triangles.cols());
+                        configuration.subdivisions, proposal.triangles);
   }
   text += transformsOf(proposal.placement);
   text += fmt::format("samples_u = {}\nsamples_v = {}\n", configuration.samplesU,

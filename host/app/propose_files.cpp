@@ -64,7 +64,7 @@ void drawSides(const SceneProposal& proposal, const std::filesystem::path& file)
                                fmt::format("chosen, {}: {:.0f} % of the surface", chosen.name,
                                            100 * proposal.share)});
   try {
-    drawPreview(file, proposal.request.mesh.filename().string(), proposal.mesh, sides);
+    drawPreview(file, proposal.request.mesh.filename().string(), proposal.look, sides);
   } catch (const DeviceError& error) {
     spdlog::warn("no {}: {}", file.string(), error.what());
   }

@@ -11,6 +11,7 @@
 #include "core/error.h"
 #include "propose/candidate.h"
 #include "propose/choose_design.h"
+#include "propose/coarsen.h"
 #include "surface/load_mesh.h"
 #include "surface/main_extent.h"
 #include "surface/ray_hits.h"
@@ -39,7 +40,8 @@ class Proposer {
 
   SceneProposal propose() {
     tell("looking at it from all sides");
-    sights_ = rateSights(loaded_.mesh, listSights(loaded_.mesh), watch_.cancellation);
+    look_ = coarsened(loaded_.mesh);
+    sights_ = rateSights(look_, listSights(look_), watch_.cancellation);
     std::size_t looked = 0;
     for (const SightRating& rating : sights_) {
       if (!rating.box || looked == kMostSights || rating.share < shareToBeat()) break;
@@ -214,7 +216,8 @@ class Proposer {
       tried_.push_back({describe(candidate) + ", scaled", proposal.trial.failure});
       return std::nullopt;
     }
-    proposal.mesh = loaded_.mesh;
+    proposal.look = std::move(look_);
+    proposal.triangles = static_cast<int>(loaded_.mesh.triangles.cols());
     proposal.sights = sights_;
     proposal.tried = tried_;
     return proposal;
@@ -224,6 +227,7 @@ class Proposer {
   const TryDesign& tryDesign_;
   const ProposalWatch& watch_;
   NotedMesh loaded_;
+  TriangleMesh look_;
   double meshArea_;
   std::vector<SightRating> sights_;
   std::vector<TriedCandidate> tried_;

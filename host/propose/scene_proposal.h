@@ -59,7 +59,8 @@ struct SceneProposal {
   MaterialRequest material;
   double share = 0;    ///< Of the mesh's area that lies in the box.
   double slope = 0;    ///< The steepest that the box was chosen for.
-  TriangleMesh mesh;   ///< As loaded.
+  int triangles = 0;   ///< Of the mesh as loaded.
+  TriangleMesh look;   ///< The mesh, coarsened().
   SamplingBox seen{};  ///< The box on the mesh that was turned, but neither moved nor scaled.
   DesignTrial trial;
   std::vector<SightRating> sights;    ///< The best first.
