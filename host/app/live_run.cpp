@@ -158,6 +158,9 @@ void LiveRun::attemptRun(const Overrides& overrides, Start start) {
   try {
     run(overrides, start);
   } catch (const Cancelled&) {
+  } catch (const std::bad_alloc&) {
+    solvers_.clear();
+    display_.showFailure("out of memory: ask for fewer nodes");
   } catch (const std::exception& error) {
     solvers_.clear();  // They may have been left in the middle of something.
     display_.showFailure(error.what());
