@@ -27,6 +27,7 @@ Examples:
 
 Exit codes: 0 converged, 2 bad input, 3 not converged (results written),
             4 device failure or out of memory (what was solved before it is written),
+            5 standard output could not be written (files are complete),
             130 interrupted (results written, if the solver had begun))";
 
 int parseAndRun(int argc, char** argv) {
@@ -58,7 +59,8 @@ int parseAndRun(int argc, char** argv) {
 }  // namespace
 
 int runCommandLine(int argc, char** argv) {
-  return runGuarded([&] { return parseAndRun(argc, argv); });
+  reserveStandardStreams();
+  return withOutputWritten(runGuarded([&] { return parseAndRun(argc, argv); }));
 }
 
 }  // namespace morphgrid

@@ -1,7 +1,10 @@
 #include "app/guarded_action.h"
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <unistd.h>
 
+#include <cstdio>
 #include <filesystem>
 #include <new>
 #include <stdexcept>
@@ -10,13 +13,14 @@
 #include "app/command_end.h"
 #include "core/cancellation.h"
 #include "core/error.h"
+#include "core/visible_text.h"
 #include "gpu/device_failure.h"
 
 namespace morphgrid {
 namespace {
 
 int failedWith(ExitCode code, const std::string& message) {
-  fmt::print(stderr, "{}\n", message);
+  fmt::print(stderr, "{}\n", visibleText(message, "\n\t"));
   return code;
 }
 
@@ -44,6 +48,7 @@ int runGuarded(const Action& action) {
   } catch (const std::filesystem::filesystem_error& error) {
     return failedWith(kBadInput, error.what());
   } catch (const std::system_error& error) {
+    if (std::ferror(stdout) != 0) return kOutputLost;  // withOutputWritten() tells.
     if (isDeviceFailure(error)) {
       return failedWith(kDeviceFailure, fmt::format("device failure: {}", error.what()));
     }
@@ -55,6 +60,21 @@ int runGuarded(const Action& action) {
     return outOfMemory();
   } catch (const std::length_error&) {  // What asks for more than there are addresses.
     return outOfMemory();
+  }
+}
+
+int withOutputWritten(int exitCode) {
+  const bool isWritten = std::fflush(stdout) == 0 && std::ferror(stdout) == 0;
+  if (isWritten) return exitCode;
+  const int code = exitCode == kConverged ? kOutputLost : exitCode;
+  return failedWith(static_cast<ExitCode>(code),
+                    "standard output could not be written: is it closed, or its disk full?");
+}
+
+void reserveStandardStreams() {
+  // Opened for reading alone, so that writing fails as it would on what is closed.
+  for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
+    if (fcntl(stream, F_GETFD) == -1) open("/dev/null", O_RDONLY);  // Takes the lowest number.
   }
 }
 

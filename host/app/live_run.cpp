@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <chrono>
+#include <new>
 
 #include "app/device_capacity.h"
 #include "app/pipeline.h"

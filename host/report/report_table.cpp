@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "core/visible_text.h"
 #include "report/degrees.h"
 
 namespace morphgrid {
@@ -11,9 +12,9 @@ namespace {
 class Table {
  public:
   explicit Table(const RunRecord& record) : published_(record.published) {
-    text_ = fmt::format("{:<26}{:>16}", record.title, "morphgrid");
+    text_ = fmt::format("{:<26}{:>16}", visibleText(record.title), "morphgrid");
     if (published_) {
-      text_ += fmt::format("{:>16}", "paper " + published_->figure);
+      text_ += fmt::format("{:>16}", "paper " + visibleText(published_->figure));
     }
     text_ += '\n';
   }
@@ -26,7 +27,7 @@ class Table {
     text_ += '\n';
   }
   void line(const std::string& text) { text_ += text + '\n'; }
-  const std::string& text() const { return text_; }
+  std::string text() const { return visibleText(text_, "\n"); }
 
  private:
   const std::optional<PublishedFigures>& published_;

@@ -1,6 +1,10 @@
 #include "app/guarded_action.h"
 
+#include <fcntl.h>
+#include <fmt/format.h>
 #include <gmock/gmock.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -11,6 +15,8 @@
 #include "app/command_end.h"
 #include "core/cancellation.h"
 #include "core/error.h"
+#include "core/read_file.h"
+#include "tests/support/temporary_folder.h"
 
 namespace morphgrid {
 namespace {
@@ -56,6 +62,49 @@ TEST(GuardedAction, OutOfMemoryIsOneLineHoweverItShows) {
     EXPECT_THAT(end.output, StartsWith("out of memory: "));
     EXPECT_EQ(std::count(end.output.begin(), end.output.end(), '\n'), 1);
   }
+}
+
+TEST(GuardedAction, MakesControlCharactersVisible) {
+  EXPECT_EQ(endOf(InputError("a\x1b[2J.toml: no\nb: no")).output, "a\\x1b[2J.toml: no\nb: no\n");
+}
+
+/// How a process ends that prints to a file and would end with this code.
+int endOfPrinting(const char* file, int exitCode, const Action& print) {
+  const pid_t child = fork();
+  if (child == 0) {
+    if (!std::freopen(file, "w", stdout)) _exit(99);
+    _exit(withOutputWritten(runGuarded([&] { return print() + exitCode; })));
+  }
+  int status = 0;
+  waitpid(child, &status, 0);
+  return WEXITSTATUS(status);
+}
+
+TEST(GuardedAction, LosesNoOutputUntold) {
+  const Action line = [] { return fmt::print("line\n"), 0; };
+  const Action more = [] { return fmt::print("{}\n", std::string(100000, 'x')), 0; };
+  for (const Action& print : {line, more}) {
+    EXPECT_EQ(endOfPrinting("/dev/null", kConverged, print), kConverged);
+    EXPECT_EQ(endOfPrinting("/dev/full", kConverged, print), kOutputLost);
+  }
+  EXPECT_EQ(endOfPrinting("/dev/full", kNotConverged, line), kNotConverged);
+}
+
+TEST(GuardedAction, ClosedStreamsAreNotTakenForFiles) {
+  const TemporaryFolder folder;
+  const auto file = folder.write("f", "whole");
+  const pid_t child = fork();
+  if (child == 0) {
+    close(STDOUT_FILENO);
+    reserveStandardStreams();
+    const int opened = open(file.c_str(), O_WRONLY);
+    fmt::print("table");
+    _exit(opened == STDOUT_FILENO ? 98 : withOutputWritten(kConverged));
+  }
+  int status = 0;
+  waitpid(child, &status, 0);
+  EXPECT_EQ(WEXITSTATUS(status), kOutputLost);
+  EXPECT_EQ(readFile(file), "whole");
 }
 
 TEST(GuardedAction, ThrowsOnWhatIsABug) {

@@ -20,6 +20,14 @@ TEST(ReportTable, ShowsThePaperBesideOursWhereItHasFigures) {
   EXPECT_THAT(toTable(record), HasSubstr("7.55 %"));
 }
 
+TEST(ReportTable, SendsNoControlCharactersToATerminal) {
+  RunRecord record = sampleRecord();
+  record.title = "a\x1b[31m\nb";
+  record.model = "m\x07";
+  EXPECT_THAT(toTable(record), testing::StartsWith("a\\x1b[31m\\x0ab "));
+  EXPECT_THAT(toTable(record), HasSubstr("m\\x07"));
+}
+
 TEST(ReportTable, SpeaksOfFeasibilityWhereSomethingIsWrong) {
   RunRecord record = sampleRecord();
   record.shrink->strutsAtLimit = 0;
