@@ -73,7 +73,7 @@ void SolveProgress::add(const PreconditionedDescent& descent, const EnergyFall& 
   cycles_ += share;
   const double residual = residualOf(descent);
   if (!std::isfinite(descent.energy()) || !std::isfinite(residual)) {
-    throw DeviceError(fmt::format("the solve left the range of numbers at cycle {:.0f}", cycles_));
+    throw DeviceError(fmt::format("the solve left the range of numbers at cycle {:.0f}; weights, or lengths, that differ less may do", cycles_));
   }
   const double cyclesLeft = cyclesToCome_ + fall.stepsLeft() * share;
   history_.push_back({static_cast<long>(std::ceil(cycles_)), descent.energy() * energyScale_,
