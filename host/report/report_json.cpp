@@ -61,7 +61,10 @@ ordered_json toJson(const InverseStep& step) {
 ordered_json toJson(const FromFlat& fromFlat) {
   return {{"same_equilibrium", fromFlat.sameEquilibrium},
           {"rms_percent", fromFlat.rmsPercent},
-          {"least_eigenvalue_ratio", number(fromFlat.leastStiffness)}};
+          {"least_eigenvalue_ratio", number(fromFlat.leastStiffness)},
+          {"settled", fromFlat.isSettled},
+          {"cycles", fromFlat.cycles},
+          {"seconds", fromFlat.seconds}};
 }
 
 ordered_json toJson(const InverseDesign& inverse) {

@@ -173,6 +173,11 @@ void addFeasibility(Table& table, const RunRecord& record) {
   }
 }
 
+const char* outcomeOf(const FromFlat& check) {
+  if (!check.isSettled) return "NOT at rest: unknown";
+  return check.sameEquilibrium ? "the design's equilibrium" : "ANOTHER equilibrium";
+}
+
 void addInverse(Table& table, const RunRecord& record) {
   if (record.printScale != 1) {
     table.line(fmt::format("  printed {:.3f} times as large as the in-plane stage left the sheet",
@@ -186,6 +191,11 @@ void addInverse(Table& table, const RunRecord& record) {
         "  inverse design: {} steps ({}), distance {:.3g} / {:.3g} to {:.3g} / {:.3g} %, {:.2f} s",
         steps.size() - 1, record.inverse->ending, first.rmsPercent, first.maxPercent,
         last.rmsPercent, last.maxPercent, last.seconds));
+  }
+  if (record.inverse && record.inverse->fromFlat) {
+    const FromFlat& check = *record.inverse->fromFlat;
+    table.line(fmt::format("  check from flat: {} cycles ({}), distance {:.3g} %, {:.2f} s",
+                           check.cycles, outcomeOf(check), check.rmsPercent, check.seconds));
   }
 }
 
