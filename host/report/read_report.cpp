@@ -208,7 +208,9 @@ TargetDistance readDistance(const json& d) {
           number(d.at("closest_point_rms_percent")),
           number(d.at("closest_point_max_percent")),
           readSpread(d, ""),
-          readSpread(d, "closest_point_")};
+          readSpread(d, "closest_point_"),
+          number(d.value("diagonal", json(0.0))),  // Runs of before have none.
+          number(d.value("axis_parallel_diagonal", json(0.0)))};
 }
 
 ShrinkCounts readShrinkCounts(const json& s) {

@@ -163,7 +163,9 @@ ordered_json toJson(const TargetDistance& d) {
           {"closest_point_median_percent", d.closestPointSpread.medianPercent},
           {"closest_point_percentile_90_percent", d.closestPointSpread.percentile90},
           {"closest_point_percentile_99_percent", d.closestPointSpread.percentile99},
-          {"closest_point_histogram", histogramOf(d.closestPointSpread)}};
+          {"closest_point_histogram", histogramOf(d.closestPointSpread)},
+          {"diagonal", d.diagonal},
+          {"axis_parallel_diagonal", d.axisParallelDiagonal}};
 }
 
 ordered_json toJson(const ShrinkCounts& s) {
