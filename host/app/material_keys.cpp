@@ -29,8 +29,9 @@ SceneKey sizeKey(const char* name, std::optional<double> MaterialRequest::*size,
 }
 
 void readGravity(TomlReader& reader, Scene& scene) {
-  const auto gravity =
-      reader.section("material").vector("gravity", fromTo(-kAmounts.high, kAmounts.high), "an array of 3 numbers [x, y, z], m/s^2");
+  const auto gravity = reader.section("material")
+                           .vector("gravity", fromTo(-kAmounts.high, kAmounts.high),
+                                   "an array of 3 numbers [x, y, z], m/s^2");
   if (gravity) {
     scene.material.gravity = {gravity->x(), gravity->y(), gravity->z()};
   }
@@ -97,8 +98,8 @@ SceneKeySection materialKeys() {
                       "Height of lateral bars, across the sheet.", aroundItsValue("bar height")),
               sizeKey("post_width", &Material::postWidth, kLengths, "`bar_width`",
                       "Width of the square posts between layers.", aroundItsValue("post width")),
-              sizeKey("joint_radius", &Material::jointRadius, kWidths,
-                      "a quarter of `bar_width`", "How much of a bar is rigid at either end."),
+              sizeKey("joint_radius", &Material::jointRadius, kWidths, "a quarter of `bar_width`",
+                      "How much of a bar is rigid at either end."),
               {.name = "poisson",
                .value = numberKey(at(&Scene::material, &Material::poisson),
                                   NumberRange{.low = 0, .high = 0.5, .lowIncluded = true}),
@@ -130,7 +131,8 @@ SceneKeySection materialKeys() {
                .unit = "kg/m^3",
                .meaning = "Of the bars as printed."},
               {.name = "fluid_density",
-               .value = numberKey(at(&Scene::material, &Material::fluidDensity), fromTo(0, kAmounts.high)),
+               .value = numberKey(at(&Scene::material, &Material::fluidDensity),
+                                  fromTo(0, kAmounts.high)),
                .unit = "kg/m^3",
                .meaning = "Of what is around them and carries as much of their weight; water has "
                           "1000."},

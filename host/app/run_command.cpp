@@ -41,8 +41,7 @@ int run(const RunArguments& arguments) {
   const RunRecord record = runScene(scene, options);
   if (!options.quiet) {
     logNotices(record);
-    fmt::print("{}results in {}\n", toTable(record),
-               visibleText(options.outputFolder.string()));
+    fmt::print("{}results in {}\n", toTable(record), visibleText(options.outputFolder.string()));
   }
   if (record.deviceFailure) {
     tellFailure(record, options);

@@ -44,7 +44,9 @@ toml::table parseText(const std::string& text, const std::filesystem::path& file
   }
 }
 
-toml::table parseFile(const std::filesystem::path& file) { return parseText(readFile(file, kMostTomlBytes), file); }
+toml::table parseFile(const std::filesystem::path& file) {
+  return parseText(readFile(file, kMostTomlBytes), file);
+}
 
 std::string_view trimmed(std::string_view text) {
   const auto first = text.find_first_not_of(" \t");

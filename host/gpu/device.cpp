@@ -207,8 +207,7 @@ vk::raii::PhysicalDevice selectDevice(const vk::raii::Instance& instance,
       "no Vulkan device {}will do ({}); {}",
       selection.empty() ? "" : fmt::format("that matches --device {} ", selection),
       fmt::join(reasons, "; "),
-      others.empty() ? kNoDeviceAdvice
-                     : fmt::format("there is also {}", fmt::join(others, ", "))));
+      others.empty() ? kNoDeviceAdvice : fmt::format("there is also {}", fmt::join(others, ", "))));
 }
 
 std::uint32_t subgroupSizeOf(const vk::raii::PhysicalDevice& device) {

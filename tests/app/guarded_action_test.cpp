@@ -54,8 +54,7 @@ TEST(GuardedAction, TellsOfInputDevicesAndInterruption) {
 }
 
 TEST(GuardedAction, OutOfMemoryIsOneLineHoweverItShows) {
-  const std::system_error noThread(
-      std::make_error_code(std::errc::resource_unavailable_try_again));
+  const std::system_error noThread(std::make_error_code(std::errc::resource_unavailable_try_again));
   for (const End& end : {endOf(std::bad_alloc()), endOf(std::bad_array_new_length()),
                          endOf(std::length_error("vector")), endOf(noThread)}) {
     EXPECT_EQ(end.code, kDeviceFailure);

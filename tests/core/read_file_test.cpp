@@ -32,8 +32,7 @@ TEST(ReadFile, GivesAllBytes) {
 TEST(ReadFile, RefusesMoreThanIsAskedFor) {
   const TemporaryFolder folder;
   const auto file = folder.write("f", "12345");
-  EXPECT_EQ(problemOf(folder, [&] { readFile(file, 4); }),
-            "f: must be of 4 bytes at most, got 5");
+  EXPECT_EQ(problemOf(folder, [&] { readFile(file, 4); }), "f: must be of 4 bytes at most, got 5");
 }
 
 TEST(ReadFile, RefusesWhatIsNoRegularFile) {

@@ -79,7 +79,7 @@ TEST(TomlNesting, IsRefusedWithItsPlace) {
   const std::string why = ": more than 32 levels of arrays, tables and dotted keys";
   EXPECT_EQ(problemOf({}), "t.toml:3:32" + why);
   const std::string override = "a" + repeated(".b", 33) + "=1";
-  EXPECT_EQ(problemOf({override}), "t.toml:3:32" + why + "\n--set a" + repeated(".b", 33) + why);
+  EXPECT_EQ(problemOf({override}), "t.toml:3:32" + why + "\n--set " + override + why);
 }
 
 }  // namespace

@@ -8,7 +8,9 @@ namespace {
 TEST(VisibleText, WritesControlCharactersOut) {
   EXPECT_EQ(visibleText("a\x1b[31mb\r\n\t\x7f"), "a\\x1b[31mb\\x0d\\x0a\\x09\\x7f");
   EXPECT_EQ(visibleText(std::string_view("a\0b", 3)), "a\\x00b");
-  EXPECT_EQ(visibleText("a\xc2\x9b" "31m"), "a\\x9b31m");  // U+009B begins sequences, too.
+  EXPECT_EQ(visibleText("a\xc2\x9b"
+                        "31m"),
+            "a\\x9b31m");  // U+009B begins sequences, too.
   EXPECT_EQ(visibleText("\xc2"), "\xc2");
 }
 
