@@ -2,6 +2,8 @@
 
 #include <spdlog/spdlog.h>
 
+#include "core/visible_text.h"
+
 namespace morphgrid {
 namespace {
 
@@ -23,7 +25,7 @@ int exitCodeOf(const RunRecord& record) {
 
 void logNotices(const RunRecord& record) {
   for (const std::string& notice : record.notices) {
-    spdlog::warn(notice);
+    spdlog::warn(visibleText(notice, "\n"));
   }
 }
 

@@ -8,6 +8,7 @@ enum ExitCode {
   kBadInput = 2,
   kNotConverged = 3,
   kDeviceFailure = 4,
+  kOutputLost = 5,
   kInterrupted = 130,
 };
 

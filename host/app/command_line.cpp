@@ -1,6 +1,5 @@
 #include "app/command_line.h"
 
-#include <fmt/format.h>
 #include <spdlog/sinks/stdout_color_sinks.h>
 #include <spdlog/spdlog.h>
 
@@ -8,9 +7,7 @@
 
 #include "app/command_end.h"
 #include "app/commands.h"
-#include "core/cancellation.h"
-#include "core/error.h"
-#include "gpu/device_failure.h"
+#include "app/guarded_action.h"
 
 namespace morphgrid {
 namespace {
@@ -31,36 +28,11 @@ Examples:
   morphgrid devices
 
 Exit codes: 0 converged, 2 bad input, 3 not converged (results written),
-            4 device failure (what was solved before it is written),
+            4 device failure or out of memory (what was solved before it is written),
+            5 standard output could not be written (files are complete),
             130 interrupted (results written, if the solver had begun))";
 
-int guarded(const Action& action) {
-  try {
-    return action();
-  } catch (const InputError& error) {
-    fmt::print(stderr, "{}\n", error.what());
-    return kBadInput;
-  } catch (const DeviceError& error) {
-    fmt::print(stderr, "device failure: {}\n", error.what());
-    return kDeviceFailure;
-  } catch (const std::system_error& error) {
-    if (!isDeviceFailure(error)) {
-      throw;
-    }
-    fmt::print(stderr, "device failure: {}\n", error.what());
-    return kDeviceFailure;
-  } catch (const Cancelled&) {
-    fmt::print(stderr, "interrupted before anything was solved\n");
-    return kInterrupted;
-  } catch (const std::bad_alloc&) {
-    fmt::print(stderr, "the grid does not fit into memory; ask for fewer nodes\n");
-    return kBadInput;
-  }
-}
-
-}  // namespace
-
-int runCommandLine(int argc, char** argv) {
+int parseAndRun(int argc, char** argv) {
   spdlog::set_default_logger(spdlog::stderr_color_mt("morphgrid"));
   spdlog::set_pattern("%^%l%$: %v");
 
@@ -84,7 +56,14 @@ int runCommandLine(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? kConverged : kBadInput;
   }
-  return guarded(action);
+  return action();
+}
+
+}  // namespace
+
+int runCommandLine(int argc, char** argv) {
+  reserveStandardStreams();
+  return withOutputWritten(runGuarded([&] { return parseAndRun(argc, argv); }));
 }
 
 }  // namespace morphgrid

@@ -141,7 +141,8 @@ std::vector<std::string> listLevers(const Scene& scene, const SceneDesign& desig
 
 MeshSides lookAtMesh(const Scene& scene) {
   const MeshConfiguration& configuration = std::get<MeshRequest>(scene.surface).configuration;
-  const TriangleMesh mesh = subdivideLoop(loadMesh(configuration.mesh), configuration.subdivisions);
+  const TriangleMesh mesh =
+      subdivideLoop(loadMesh(configuration.mesh).mesh, configuration.subdivisions).mesh;
   MeshSides sides{coarsened(transformed(configuration.worldFromMesh, mesh)), {}};
   const Cancellation cancellation([&] { return scene.solve.stopRequested(); });
   sides.sights = rateSights(sides.mesh, listSights(sides.mesh), cancellation);

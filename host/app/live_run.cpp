@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <chrono>
+#include <new>
 
 #include "app/device_capacity.h"
 #include "app/pipeline.h"
@@ -158,6 +159,9 @@ void LiveRun::attemptRun(const Overrides& overrides, Start start) {
   try {
     run(overrides, start);
   } catch (const Cancelled&) {
+  } catch (const std::bad_alloc&) {
+    solvers_.clear();
+    display_.showFailure("out of memory: ask for fewer nodes");
   } catch (const std::exception& error) {
     solvers_.clear();  // They may have been left in the middle of something.
     display_.showFailure(error.what());

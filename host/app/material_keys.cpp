@@ -12,6 +12,8 @@ namespace morphgrid {
 namespace {
 
 constexpr IntegerRange kJointIndices{0, std::numeric_limits<int>::max()};
+// Of densities, moduli and units in SI: no material is near the ends, and products stay numbers.
+constexpr NumberRange kAmounts = fromTo(1e-15, 1e15);
 constexpr const char* kSupportsAllowed =
     "of `\"middle\"`, `\"corners\"`, `\"rim\"` and arrays of 3 integers >= 0";
 
@@ -27,8 +29,9 @@ SceneKey sizeKey(const char* name, std::optional<double> MaterialRequest::*size,
 }
 
 void readGravity(TomlReader& reader, Scene& scene) {
-  const auto gravity =
-      reader.section("material").vector("gravity", {}, "an array of 3 numbers [x, y, z], m/s^2");
+  const auto gravity = reader.section("material")
+                           .vector("gravity", fromTo(-kAmounts.high, kAmounts.high),
+                                   "an array of 3 numbers [x, y, z], m/s^2");
   if (gravity) {
     scene.material.gravity = {gravity->x(), gravity->y(), gravity->z()};
   }
@@ -89,14 +92,14 @@ SceneKeySection materialKeys() {
                    "`solver.method = \"multigrid\"` or `\"reference\"`. `\"bars\"`: springs that "
                    "stand for such bars, weighed by their size, whose corners rest as printed: a "
                    "preview of the frame for any method."},
-              sizeKey("bar_width", &Material::barWidth, above(0), "a fifth of the mean rest length",
+              sizeKey("bar_width", &Material::barWidth, kLengths, "a fifth of the mean rest length",
                       "Width of lateral bars, in the sheet's plane.", aroundItsValue("bar width")),
-              sizeKey("bar_height", &Material::barHeight, above(0), "`bar_width`",
+              sizeKey("bar_height", &Material::barHeight, kLengths, "`bar_width`",
                       "Height of lateral bars, across the sheet.", aroundItsValue("bar height")),
-              sizeKey("post_width", &Material::postWidth, above(0), "`bar_width`",
+              sizeKey("post_width", &Material::postWidth, kLengths, "`bar_width`",
                       "Width of the square posts between layers.", aroundItsValue("post width")),
-              sizeKey("joint_radius", &Material::jointRadius, atLeast(0),
-                      "a quarter of `bar_width`", "How much of a bar is rigid at either end."),
+              sizeKey("joint_radius", &Material::jointRadius, kWidths, "a quarter of `bar_width`",
+                      "How much of a bar is rigid at either end."),
               {.name = "poisson",
                .value = numberKey(at(&Scene::material, &Material::poisson),
                                   NumberRange{.low = 0, .high = 0.5, .lowIncluded = true}),
@@ -124,20 +127,21 @@ SceneKeySection materialKeys() {
                .meaning = "Makes bars weigh; z is up as printed, so `[0, 0, -9.81]` on a grid that "
                           "lies. Needs `supports`, `density` and `modulus`."},
               {.name = "density",
-               .value = numberKey(at(&Scene::material, &Material::density), above(0)),
+               .value = numberKey(at(&Scene::material, &Material::density), kAmounts),
                .unit = "kg/m^3",
                .meaning = "Of the bars as printed."},
               {.name = "fluid_density",
-               .value = numberKey(at(&Scene::material, &Material::fluidDensity), atLeast(0)),
+               .value = numberKey(at(&Scene::material, &Material::fluidDensity),
+                                  fromTo(0, kAmounts.high)),
                .unit = "kg/m^3",
                .meaning = "Of what is around them and carries as much of their weight; water has "
                           "1000."},
               {.name = "modulus",
-               .value = numberKey(at(&Scene::material, &Material::modulus), above(0)),
+               .value = numberKey(at(&Scene::material, &Material::modulus), kAmounts),
                .unit = "Pa",
                .meaning = "Young's modulus of the bars as soft as they are when the grid morphs."},
               {.name = "unit",
-               .value = numberKey(at(&Scene::material, &Material::unit), above(0)),
+               .value = numberKey(at(&Scene::material, &Material::unit), kAmounts),
                .unit = "m",
                .meaning = "How long the scene's unit of length is: 0.001 where lengths are in mm. "
                           "Weight depends on it, twice the size sags twice as much for its size."},

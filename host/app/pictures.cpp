@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "core/bounding_diagonal.h"
+#include "core/intrinsic_diagonal.h"
 #include "grid/shrink.h"
 #include "grid/strut_grid.h"
 #include "render/draw_sampling.h"
@@ -85,7 +85,7 @@ void Pictures::drawDistance(const PlacedGrid& result, const DeviceGrid& target,
                             const Camera& camera) const {
   const Eigen::VectorXd distances = (alignedMiddle - targets).colwise().norm();
   const double largest = distances.maxCoeff();
-  const double diagonal = boundingDiagonal(targets);
+  const double diagonal = intrinsicDiagonal(targets);
   show_("distance", {drawSurfaceShares(device_, result, distances / (largest > 0 ? largest : 1),
                                        {target, Eigen::Isometry3d::Identity()}, camera, size_.width,
                                        size_.height),

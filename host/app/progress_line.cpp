@@ -13,6 +13,7 @@ namespace {
 constexpr double kSecondsBetweenRedraws = 0.1;
 constexpr double kSecondsBetweenLines = 5;
 constexpr int kBarWidth = 24;
+constexpr int kFewestSamples = 8;  // That tell a rate.
 
 std::string bar(double share) {
   const int filled = static_cast<int>(std::lround(std::clamp(share, 0.0, 1.0) * kBarWidth));
@@ -34,8 +35,16 @@ double estimateSecondsLeft(const std::vector<ConvergenceSample>& samples, double
     return -1;
   }
   const ConvergenceSample& now = samples.back();
+  // Residuals of another grid say nothing of this one's.
+  const auto others = std::find_if(samples.rbegin(), samples.rend(), [&](const auto& sample) {
+    return sample.gridShare != now.gridShare;
+  });
+  const auto first = others.base();
+  if (std::distance(first, samples.end()) < kFewestSamples) {
+    return -1;
+  }
   const auto half = std::lower_bound(
-      samples.begin(), samples.end(), now.seconds / 2,
+      first, samples.end(), (first->seconds + now.seconds) / 2,
       [](const ConvergenceSample& sample, double seconds) { return sample.seconds < seconds; });
   const double fall = std::log(half->residual / now.residual);
   if (!(fall > 0)) {

@@ -30,7 +30,7 @@ class ProgressLine {
 };
 
 /// Seconds until the residual meets the tolerance, judged by its fall over the last half of the
-/// time; negative when it does not fall.
+/// time on this grid; negative when it does not fall, or too few samples tell.
 double estimateSecondsLeft(const std::vector<ConvergenceSample>& samples, double tolerance);
 
 }  // namespace morphgrid

@@ -7,6 +7,7 @@
 #include "app/propose_files.h"
 #include "app/state_argument.h"
 #include "core/interrupt.h"
+#include "core/visible_text.h"
 #include "report/report_table.h"
 
 namespace morphgrid {
@@ -43,7 +44,7 @@ int run(const RunArguments& arguments) {
   const RunRecord record = runScene(scene, options);
   if (!options.quiet) {
     logNotices(record);
-    fmt::print("{}results in {}\n", toTable(record), options.outputFolder.string());
+    fmt::print("{}results in {}\n", toTable(record), visibleText(options.outputFolder.string()));
   }
   if (record.deviceFailure) {
     tellFailure(record, options);

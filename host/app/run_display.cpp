@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "app/scene_knobs.h"
-#include "core/bounding_diagonal.h"
+#include "core/intrinsic_diagonal.h"
 #include "core/rigid_alignment.h"
 #include "report/report_table.h"
 #include "view/view_state.h"
@@ -33,7 +33,7 @@ Matrix3Xd resampled(const Matrix3Xd& points, const GridShape& from, const GridSh
 }
 
 double rmsPercent(const Matrix3Xd& placed, const Matrix3Xd& targets) {
-  const double diagonal = boundingDiagonal(targets);
+  const double diagonal = intrinsicDiagonal(targets);
   return 100 * (placed - targets).norm() / std::sqrt(double(targets.cols())) / diagonal;
 }
 

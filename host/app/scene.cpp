@@ -10,6 +10,7 @@
 #include "app/scene_text.h"
 #include "core/error.h"
 #include "core/read_toml_key.h"
+#include "core/visible_text.h"
 #include "surface/read_patch.h"
 
 namespace morphgrid {
@@ -201,6 +202,7 @@ void requireWhatFramesNeed(const Scene& scene) {
 Scene readChecked(const std::filesystem::path& file, const std::string& name,
                   toml::table document) {
   Scene scene = SceneReader(file, name, std::move(document)).read();
+  scene.title = visibleText(scene.title);
   requireWhatInverseDesignNeeds(scene);
   requireWhatFramesNeed(scene);
   requireShrinkRange(scene);

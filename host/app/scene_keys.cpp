@@ -34,15 +34,15 @@ SceneKeySection weightKeys() {
   return {"weights",
           {
               {.name = "lateral",
-               .value = numberKey(at(&Scene::weights, &Weights::lateral), above(0)),
+               .value = numberKey(at(&Scene::weights, &Weights::lateral), kWeights),
                .knob = aroundItsValue("weight lateral"),
                .meaning = "Weight of struts within a layer."},
               {.name = "vertical",
-               .value = numberKey(at(&Scene::weights, &Weights::vertical), above(0)),
+               .value = numberKey(at(&Scene::weights, &Weights::vertical), kWeights),
                .knob = aroundItsValue("weight vertical"),
                .meaning = "Weight of struts between layers."},
               {.name = "angle",
-               .value = numberKey(at(&Scene::weights, &Weights::angle), atLeast(0)),
+               .value = numberKey(at(&Scene::weights, &Weights::angle), fromTo(0, kWeights.high)),
                .knob = KnobOffer{"weight angle", 0, 10},
                .meaning = "Weight of corners, which rest at 90 degrees."},
           }};

@@ -26,7 +26,11 @@ class KnobMaker {
 
   std::optional<Knob> operator()(const IntegerKey<Scene>& key) const {
     auto knob = holding(key.access.get(scene_));
-    if (knob) knob->isInteger = true;
+    if (knob) {
+      knob->isInteger = true;
+      knob->low = static_cast<double>(key.range.low);
+      knob->high = static_cast<double>(key.range.high);
+    }
     return knob;
   }
 

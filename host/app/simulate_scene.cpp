@@ -20,7 +20,13 @@ void noteSaddle(RunRecord& record, const char* stage, const Equilibrium& equilib
 
 void noteOtherWay(RunRecord& record) {
   const auto& inverse = record.inverse;
-  if (inverse && inverse->fromFlat && !inverse->fromFlat->sameEquilibrium) {
+  if (!inverse || !inverse->fromFlat) return;
+  if (!inverse->fromFlat->isSettled) {
+    record.notices.push_back(fmt::format(
+        "whether the optimised grid gets to its design from flat is not known: the check did not "
+        "come to rest within {} cycles; try another grid.layer_spacing or design.optimise",
+        inverse->fromFlat->cycles));
+  } else if (!inverse->fromFlat->sameEquilibrium) {
     record.notices.push_back(fmt::format(
         "the optimised grid has more than one equilibrium: from flat it morphs into another, "
         "{:.3g} "

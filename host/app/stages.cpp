@@ -174,6 +174,12 @@ std::optional<InverseDesign> Stages::improve(Stage& stage, const SceneDesign& de
   if (context_.onCheckFromFlat) {
     options.onCheckFromFlat = [&] { context_.onCheckFromFlat(stage.solver->grid()); };
   }
+  std::optional<ProgressLine> check;
+  options.onFromFlat = [&](int step, int steps, double seconds) {
+    if (quiet_) return;
+    if (!check) check.emplace("check from flat", scene_.solve.tolerance);
+    check->tell(fmt::format("step {} of {}", step, steps), seconds, -1);
+  };
   options.onCheckpoint = [&](InverseCheckpoint checkpoint) { keeper_.keep(std::move(checkpoint)); };
   options.resumeFrom = keeper_.inverse();
   keeper_.beginInverseDesign(stage.equilibrium);
@@ -187,8 +193,21 @@ std::optional<InverseDesign> Stages::improve(Stage& stage, const SceneDesign& de
   if (result) {
     stage.grid.rest = result->rest;
     stage.equilibrium = result->equilibrium;
+    assessDesign(stage);
   }
   return result;
+}
+
+/// The check from flat has left the solver elsewhere.
+void Stages::assessDesign(Stage& stage) {
+  if (!scene_.smallestEigenvalue) {
+    return;
+  }
+  context_.attempt([&] {
+    stage.solver->setRest(stage.grid.rest);
+    stage.solver->moveTo(stage.equilibrium.positions, stage.equilibrium.rotations);
+  });
+  assessStability(stage, Motions::inSpace);
 }
 
 std::optional<WeightFigures> Stages::assessWeight(const Stage& stage) {

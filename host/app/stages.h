@@ -43,6 +43,7 @@ class Stages {
   std::optional<Equilibrium> solveByMethod(Stage& stage, const SolveOptions& options);
   void showOnDevice(const Stage& stage);
   void assessStability(Stage& stage, Motions motions);
+  void assessDesign(Stage& stage);
   Equilibrium lastKnown(const StrutGrid& grid) const;
 
   const Scene& scene_;

@@ -95,13 +95,14 @@ SceneKeySection surfaceKeys() {
            .isRequired = true,
            .meaning =
                "The mesh configuration, relative to the scene file; or the mesh itself, as it is."},
-          boxKey("u_start", &SamplingBox::uStart, {},
+          boxKey("u_start", &SamplingBox::uStart, kCoordinates,
                  "Where the box of rays begins along u, the y axis."),
-          boxKey("v_start", &SamplingBox::vStart, {}, "Where it begins along v, the z axis."),
-          boxKey("u_length", &SamplingBox::uLength, above(0), "Its extent along u."),
-          boxKey("v_length", &SamplingBox::vLength, above(0), "Its extent along v."),
+          boxKey("v_start", &SamplingBox::vStart, kCoordinates,
+                 "Where it begins along v, the z axis."),
+          boxKey("u_length", &SamplingBox::uLength, kLengths, "Its extent along u."),
+          boxKey("v_length", &SamplingBox::vLength, kLengths, "Its extent along v."),
           {.name = "fill_holes",
-           .value = numberKey(ofMesh(&MeshRequest::fillHoles), atLeast(0)),
+           .value = numberKey(ofMesh(&MeshRequest::fillHoles), kWidths),
            .unit = "length",
            .kinds = kMesh,
            .meaning = "Where rays miss, holes up to this width are closed by interpolation from "
@@ -112,7 +113,7 @@ SceneKeySection surfaceKeys() {
            .meaning = "The steepest step in x between neighbouring rays, over their distance. A "
                       "steeper one is taken for an overhang seen from the side and stops the run."},
           {.name = "smoothing_width",
-           .value = numberKey(ofMesh(&MeshRequest::smoothingWidth), atLeast(0)),
+           .value = numberKey(ofMesh(&MeshRequest::smoothingWidth), kWidths),
            .unit = "length",
            .kinds = kMesh,
            .meaning = "Curvature is smoothed along the isolines over this width, for meshes that "
@@ -123,7 +124,7 @@ SceneKeySection surfaceKeys() {
           bendKey("theta_v", &BendAngleRequest::firstThetaV, &BendAngleRequest::lastThetaV,
                   "The same along v."),
           {.name = "spacing",
-           .value = numberKey(ofBends(&BendAngleRequest::spacing), above(0)),
+           .value = numberKey(ofBends(&BendAngleRequest::spacing), kLengths),
            .unit = "length",
            .kinds = kBent,
            .meaning = "Length of the lateral struts before they shrink."},
@@ -139,7 +140,7 @@ SceneKeySection gridKeys() {
            .knob = KnobOffer{"layers"},
            .meaning = "Layers of the grid. One layer cannot bend."},
           {.name = "layer_spacing",
-           .value = numberKey(ofDesign(&DesignRequest::layerSpacing), above(0)),
+           .value = numberKey(ofDesign(&DesignRequest::layerSpacing), kLengths),
            .unit = "length",
            .isRequired = true,
            .knob = aroundItsValue("layer spacing"),
@@ -167,7 +168,7 @@ SceneKeySection gridKeys() {
            .meaning = "Share of the measured curvatures that stay as they are; stronger ones are "
                       "capped to the largest of these. `morphgrid check` suggests one."},
           {.name = "strut_thickness",
-           .value = numberKey(ofDesign(&DesignRequest::strutThickness), above(0)),
+           .value = numberKey(ofDesign(&DesignRequest::strutThickness), kLengths),
            .unit = "length",
            .meaning = "How thick a strut is printed. Where it is given, struts that come closer to "
                       "each other are reported."},

@@ -1,18 +1,62 @@
 #include "core/atomic_file.h"
 
 #include <fmt/format.h>
+#include <signal.h>
 #include <unistd.h>
 
+#include <cerrno>
+#include <charconv>
 #include <fstream>
+#include <optional>
 
 #include "core/error.h"
 
 namespace morphgrid {
 
+namespace {
+
+std::filesystem::path temporaryOf(const std::filesystem::path& finalPath, pid_t process) {
+  return finalPath.parent_path() / fmt::format(".{}.{}{}", finalPath.stem().string(), process,
+                                               finalPath.extension().string());
+}
+
+/// The process that a temporary name holds; nothing of another name.
+std::optional<pid_t> writerOf(const std::filesystem::path& file,
+                              const std::filesystem::path& finalPath) {
+  const std::string name = file.filename().string();
+  const std::size_t start = finalPath.stem().string().size() + 2;  // Behind two dots.
+  pid_t process = 0;
+  if (name.size() <= start) return std::nullopt;
+  const char* end = name.data() + name.size();
+  const bool isNumber =
+      std::from_chars(name.data() + start, end, process).ec == std::errc() && process > 0;
+  const bool isSame = isNumber && temporaryOf(finalPath, process).filename() == file.filename();
+  return isSame ? std::optional(process) : std::nullopt;
+}
+
+bool isAlive(pid_t process) { return kill(process, 0) == 0 || errno != ESRCH; }
+
+/// What runs that were killed have left of this file. Errors are ignored: the file itself can be
+/// written all the same, or writing it tells why not.
+void removeStale(const std::filesystem::path& finalPath) {
+  namespace fs = std::filesystem;
+  const fs::path parent = finalPath.parent_path();
+  std::error_code error;
+  for (fs::directory_iterator entry(parent.empty() ? fs::path(".") : parent, error);
+       !error && entry != fs::directory_iterator(); entry.increment(error)) {
+    std::error_code ignored;
+    const auto writer = writerOf(entry->path(), finalPath);
+    if (writer && !isAlive(*writer) && fs::is_regular_file(entry->symlink_status(ignored))) {
+      fs::remove(entry->path(), ignored);
+    }
+  }
+}
+
+}  // namespace
+
 PendingFile::PendingFile(std::filesystem::path finalPath) : finalPath_(std::move(finalPath)) {
-  temporaryPath_ =
-      finalPath_.parent_path() / fmt::format(".{}.{}{}", finalPath_.stem().string(), getpid(),
-                                             finalPath_.extension().string());
+  temporaryPath_ = temporaryOf(finalPath_, getpid());
+  removeStale(finalPath_);
 }
 
 PendingFile::~PendingFile() {

@@ -7,7 +7,8 @@
 namespace morphgrid {
 
 /// A file under construction: write to path(), then commit() renames it to its final name.
-/// Without commit() nothing is left behind and a file already there stays as it was.
+/// Without commit() nothing is left behind and a file already there stays as it was. What killed
+/// processes of this machine left of the same file is removed.
 class PendingFile {
  public:
   explicit PendingFile(std::filesystem::path finalPath);

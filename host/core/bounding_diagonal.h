@@ -4,7 +4,7 @@
 namespace morphgrid {
 
 /// The diagonal of the axis-parallel bounding box of points, 3 x n with n >= 1, in their unit of
-/// length. Distances to a target are given in percent of the diagonal of the target's points.
+/// length.
 double boundingDiagonal(const Eigen::Matrix3Xd& points);
 
 }  // namespace morphgrid

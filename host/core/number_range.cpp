@@ -10,7 +10,7 @@ namespace {
 
 std::string boundText(double bound) {
   if (std::abs(bound) == std::numbers::pi) return bound < 0 ? "-pi" : "pi";
-  return fmt::format("{}", bound);
+  return fmt::format("{:g}", bound);
 }
 
 std::string joinBounds(const std::string& kind, const std::string& low, const std::string& high) {

@@ -22,6 +22,14 @@ constexpr NumberRange between(double low, double high) { return {.low = low, .hi
 constexpr NumberRange aboveUpTo(double low, double high) { return {low, high, false, true}; }
 constexpr NumberRange fromTo(double low, double high) { return {low, high, true, true}; }
 
+// The device computes in single precision. Within these bounds squares and ratios of what a scene
+// gives stay numbers there.
+constexpr double kLargestLength = 1e15;
+constexpr NumberRange kCoordinates = fromTo(-kLargestLength, kLargestLength);
+constexpr NumberRange kLengths = fromTo(1e-30, kLargestLength);
+constexpr NumberRange kWidths = fromTo(0, kLargestLength);
+constexpr NumberRange kWeights = fromTo(1e-9, 1e9);
+
 /// The integers from low to high, both included.
 struct IntegerRange {
   std::int64_t low = std::numeric_limits<std::int64_t>::min();

@@ -7,6 +7,7 @@
 
 #include "core/problem_list.h"
 #include "core/read_file.h"
+#include "core/toml_nesting.h"
 
 namespace morphgrid {
 namespace {
@@ -22,7 +23,20 @@ std::string explain(const toml::parse_error& error) {
   return "not valid TOML: " + text;
 }
 
+// Scenes have some kilobytes, those that runs leave a little more.
+constexpr std::uintmax_t kMostTomlBytes = 1 << 24;
+
+/// Throws where the parser would recurse too deep. place: of the text's first byte.
+void refuseDeepNesting(std::string_view text, Place place) {
+  if (const auto found = findTooDeepNesting(text)) {
+    if (place.line > 0) place = {place.source, found->line, found->column};
+    throw InputError(fmt::format("{}: more than {} levels of arrays, tables and dotted keys",
+                                 toString(place), kMostTomlLevels));
+  }
+}
+
 toml::table parseText(const std::string& text, const std::filesystem::path& file) {
+  refuseDeepNesting(text, {file.string(), 1, 1});
   try {
     return toml::parse(std::string_view(text), file.string());
   } catch (const toml::parse_error& error) {
@@ -30,7 +44,9 @@ toml::table parseText(const std::string& text, const std::filesystem::path& file
   }
 }
 
-toml::table parseFile(const std::filesystem::path& file) { return parseText(readFile(file), file); }
+toml::table parseFile(const std::filesystem::path& file) {
+  return parseText(readFile(file, kMostTomlBytes), file);
+}
 
 std::string_view trimmed(std::string_view text) {
   const auto first = text.find_first_not_of(" \t");
@@ -54,6 +70,7 @@ toml::table parseOverride(const std::string& assignment) {
       trimmed(std::string_view(assignment).substr(equals + 1)).empty()) {
     throw InputError(source + ": must be key=value on one line, e.g. grid.layers=4");
   }
+  refuseDeepNesting(assignment, {source});
   try {
     return toml::parse(std::string_view(assignment), source);
   } catch (const toml::parse_error& error) {

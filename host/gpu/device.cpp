@@ -184,11 +184,11 @@ vk::raii::PhysicalDevice selectDevice(const vk::raii::Instance& instance,
                                       const DeviceOptions& options) {
   const std::string& selection = options.selection;
   const auto devices = physicalDevices(instance);
-  std::vector<std::string> reasons;
+  std::vector<std::string> others, reasons;
   for (std::size_t n = 0; n < devices.size(); ++n) {
     const std::string name = devices[n].getProperties().deviceName.data();
     if (!isSelected(n, name, selection)) {
-      reasons.push_back(fmt::format("{} {}: not asked for", n, name));
+      others.push_back(fmt::format("{} {}", n, name));
       continue;
     }
     const std::string reason = shortcoming(instance, devices[n], options.presentation);
@@ -197,12 +197,17 @@ vk::raii::PhysicalDevice selectDevice(const vk::raii::Instance& instance,
     }
     reasons.push_back(fmt::format("{} {}: {}", n, name, reason));
   }
-  throw DeviceError(selection.empty()
-                        ? fmt::format("no Vulkan device will do ({}); {}", fmt::join(reasons, "; "),
-                                      kNoDeviceAdvice)
-                        : fmt::format("no Vulkan device matches --device {} ({}); give an index or "
-                                      "a part of a name from `morphgrid devices`",
-                                      selection, fmt::join(reasons, "; ")));
+  if (reasons.empty()) {
+    throw DeviceError(
+        fmt::format("no Vulkan device matches --device {}: there is {}; give an index or a part of "
+                    "a name from `morphgrid devices`",
+                    selection, fmt::join(others, ", ")));
+  }
+  throw DeviceError(fmt::format(
+      "no Vulkan device {}will do ({}); {}",
+      selection.empty() ? "" : fmt::format("that matches --device {} ", selection),
+      fmt::join(reasons, "; "),
+      others.empty() ? kNoDeviceAdvice : fmt::format("there is also {}", fmt::join(others, ", "))));
 }
 
 std::uint32_t subgroupSizeOf(const vk::raii::PhysicalDevice& device) {

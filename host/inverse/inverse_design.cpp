@@ -200,8 +200,9 @@ void InverseDesigner::morphFromFlat() {
   if (options_.onCheckFromFlat) {
     options_.onCheckFromFlat();
   }
-  result_.fromFlat = checkFromFlat(solver_, kept_.equilibrium, targets_, toTheEnd_,
-                                   softness_ ? &softness_->softness() : nullptr);
+  result_.fromFlat =
+      checkFromFlat(solver_, kept_.equilibrium, targets_, toTheEnd_,
+                    softness_ ? &softness_->softness() : nullptr, options_.onFromFlat);
   if (softness_) result_.refusedAsSoft = softness_->refusals();
 }
 

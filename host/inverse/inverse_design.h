@@ -33,6 +33,7 @@ struct InverseOptions {
   /// Called when the design is chosen and the solver stands at it, before the solver's grid leaves
   /// for the check from flat; may be empty.
   std::function<void()> onCheckFromFlat;
+  FromFlatProgress onFromFlat;  ///< May be empty.
   /// Called with where inverse design stands, as often as costs 1 % of the time, and when it has to
   /// end early; may be empty.
   std::function<void(InverseCheckpoint)> onCheckpoint;

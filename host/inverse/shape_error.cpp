@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "core/bounding_diagonal.h"
+#include "core/intrinsic_diagonal.h"
 #include "core/rigid_alignment.h"
 
 namespace morphgrid {
@@ -13,7 +13,7 @@ ShapeError computeShapeError(const GridShape& shape, const Matrix3Xd& positions,
                              const Matrix3Xd& targets) {
   const Matrix3Xd middle = middleLayer(shape, positions);
   const Matrix3Xd offsets = middle - alignRigidly(targets, middle) * targets;
-  const double diagonal = boundingDiagonal(targets);
+  const double diagonal = intrinsicDiagonal(targets);
   ShapeError error{0.5 * offsets.squaredNorm(),
                    100 / diagonal * std::sqrt(offsets.colwise().squaredNorm().mean()),
                    100 / diagonal * std::sqrt(offsets.colwise().squaredNorm().maxCoeff()),

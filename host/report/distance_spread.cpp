@@ -4,6 +4,8 @@
 #include <cmath>
 #include <vector>
 
+#include "core/error.h"
+
 namespace morphgrid {
 namespace {
 
@@ -15,6 +17,11 @@ double percentile(const std::vector<double>& sorted, double percent) {
 }  // namespace
 
 DistanceSpread spreadOf(const Eigen::VectorXd& percents) {
+  if (!percents.allFinite()) {
+    throw InputError(
+        "distances to the target are no finite numbers: lengths of the scene are too large, too "
+        "small or too different");
+  }
   std::vector<double> sorted(percents.begin(), percents.end());
   std::sort(sorted.begin(), sorted.end());
   DistanceSpread spread{percentile(sorted, 50), percentile(sorted, 90), percentile(sorted, 99)};

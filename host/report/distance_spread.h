@@ -14,8 +14,8 @@ struct DistanceSpread {
   std::array<int, 10> counts{};  ///< The largest distance is in the last bin.
 };
 
-/// percents: at least one, >= 0. A percentile p is the smallest value that p % of them do not
-/// exceed.
+/// percents: at least one, >= 0; throws InputError where one is not finite. A percentile p is the
+/// smallest value that p % of them do not exceed.
 DistanceSpread spreadOf(const Eigen::VectorXd& percents);
 
 }  // namespace morphgrid

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "core/bounding_diagonal.h"
+#include "core/intrinsic_diagonal.h"
 #include "core/rigid_alignment.h"
 #include "surface/closest_point.h"
 
@@ -56,14 +57,20 @@ StrutErrors computeStrutErrors(const GridDesign& design, const StrutGrid& grid,
 TargetDistance computeTargetDistance(const Matrix3Xd& middle, const Matrix3Xd& targets,
                                      const ClosestPointQuery& closestPoints) {
   const Matrix3Xd aligned = alignRigidly(middle, targets) * middle;
-  const double diagonal = boundingDiagonal(targets);
+  const double diagonal = intrinsicDiagonal(targets);
   const Eigen::VectorXd parametric = 100 / diagonal * (aligned - targets).colwise().norm();
   Eigen::VectorXd closest(aligned.cols());
   for (Eigen::Index n = 0; n < aligned.cols(); ++n) {
     closest[n] = 100 / diagonal * closestPoints.distance(aligned.col(n));
   }
-  return {rootMeanSquare(parametric), parametric.maxCoeff(), rootMeanSquare(closest),
-          closest.maxCoeff(),         spreadOf(parametric),  spreadOf(closest)};
+  return {rootMeanSquare(parametric),
+          parametric.maxCoeff(),
+          rootMeanSquare(closest),
+          closest.maxCoeff(),
+          spreadOf(parametric),
+          spreadOf(closest),
+          diagonal,
+          boundingDiagonal(targets)};
 }
 
 }  // namespace morphgrid

@@ -28,6 +28,8 @@ struct TargetDistance {
   double closestPointMaxPercent;
   DistanceSpread spread;  ///< How the distances to the points of the same parameters are spread.
   DistanceSpread closestPointSpread;  ///< How those to the closest points are spread.
+  double diagonal = 0;  ///< What percents refer to, in the scene's unit, see intrinsicDiagonal().
+  double axisParallelDiagonal = 0;  ///< Of the box along the axes, which turns with them.
 };
 
 /// middle, targets: one column per vertex of a layer, matching. closestPoints: of the target.

@@ -158,7 +158,10 @@ InverseStep readStep(const json& s) {
 
 FromFlat readFromFlat(const json& f) {
   return {f.at("same_equilibrium").get<bool>(), number(f.at("rms_percent")),
-          optionally(number, f.value("least_eigenvalue_ratio", json()))};
+          optionally(number, f.value("least_eigenvalue_ratio", json())),
+          // Runs of before have none of these.
+          f.value("settled", true), integer<long>(f.value("cycles", json(0))),
+          number(f.value("seconds", json(0.0)))};
 }
 
 InverseDesign readInverse(const json& i) {
@@ -205,7 +208,9 @@ TargetDistance readDistance(const json& d) {
           number(d.at("closest_point_rms_percent")),
           number(d.at("closest_point_max_percent")),
           readSpread(d, ""),
-          readSpread(d, "closest_point_")};
+          readSpread(d, "closest_point_"),
+          number(d.value("diagonal", json(0.0))),  // Runs of before have none.
+          number(d.value("axis_parallel_diagonal", json(0.0)))};
 }
 
 ShrinkCounts readShrinkCounts(const json& s) {

@@ -61,7 +61,10 @@ ordered_json toJson(const InverseStep& step) {
 ordered_json toJson(const FromFlat& fromFlat) {
   return {{"same_equilibrium", fromFlat.sameEquilibrium},
           {"rms_percent", fromFlat.rmsPercent},
-          {"least_eigenvalue_ratio", number(fromFlat.leastStiffness)}};
+          {"least_eigenvalue_ratio", number(fromFlat.leastStiffness)},
+          {"settled", fromFlat.isSettled},
+          {"cycles", fromFlat.cycles},
+          {"seconds", fromFlat.seconds}};
 }
 
 ordered_json toJson(const InverseDesign& inverse) {
@@ -160,7 +163,9 @@ ordered_json toJson(const TargetDistance& d) {
           {"closest_point_median_percent", d.closestPointSpread.medianPercent},
           {"closest_point_percentile_90_percent", d.closestPointSpread.percentile90},
           {"closest_point_percentile_99_percent", d.closestPointSpread.percentile99},
-          {"closest_point_histogram", histogramOf(d.closestPointSpread)}};
+          {"closest_point_histogram", histogramOf(d.closestPointSpread)},
+          {"diagonal", d.diagonal},
+          {"axis_parallel_diagonal", d.axisParallelDiagonal}};
 }
 
 ordered_json toJson(const ShrinkCounts& s) {

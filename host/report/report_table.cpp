@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "core/visible_text.h"
 #include "report/degrees.h"
 #include "surface/box_text.h"
 
@@ -12,9 +13,9 @@ namespace {
 class Table {
  public:
   explicit Table(const RunRecord& record) : published_(record.published) {
-    text_ = fmt::format("{:<26}{:>16}", record.title, "morphgrid");
+    text_ = fmt::format("{:<26}{:>16}", visibleText(record.title), "morphgrid");
     if (published_) {
-      text_ += fmt::format("{:>16}", "paper " + published_->figure);
+      text_ += fmt::format("{:>16}", "paper " + visibleText(published_->figure));
     }
     text_ += '\n';
   }
@@ -27,7 +28,7 @@ class Table {
     text_ += '\n';
   }
   void line(const std::string& text) { text_ += text + '\n'; }
-  const std::string& text() const { return text_; }
+  std::string text() const { return visibleText(text_, "\n"); }
 
  private:
   const std::optional<PublishedFigures>& published_;
@@ -169,6 +170,11 @@ void addFeasibility(Table& table, const RunRecord& record) {
   }
 }
 
+const char* outcomeOf(const FromFlat& check) {
+  if (!check.isSettled) return "NOT at rest: unknown";
+  return check.sameEquilibrium ? "the design's equilibrium" : "ANOTHER equilibrium";
+}
+
 void addInverse(Table& table, const RunRecord& record) {
   if (record.printScale != 1) {
     table.line(fmt::format("  printed {:.3f} times as large as the in-plane stage left the sheet",
@@ -182,6 +188,11 @@ void addInverse(Table& table, const RunRecord& record) {
         "  inverse design: {} steps ({}), distance {:.3g} / {:.3g} to {:.3g} / {:.3g} %, {:.2f} s",
         steps.size() - 1, record.inverse->ending, first.rmsPercent, first.maxPercent,
         last.rmsPercent, last.maxPercent, last.seconds));
+  }
+  if (record.inverse && record.inverse->fromFlat) {
+    const FromFlat& check = *record.inverse->fromFlat;
+    table.line(fmt::format("  check from flat: {} cycles ({}), distance {:.3g} %, {:.2f} s",
+                           check.cycles, outcomeOf(check), check.rmsPercent, check.seconds));
   }
 }
 

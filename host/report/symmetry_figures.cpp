@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "core/bounding_diagonal.h"
+#include "core/intrinsic_diagonal.h"
 #include "core/rigid_alignment.h"
 
 namespace morphgrid {
@@ -48,7 +48,7 @@ std::string toString(Symmetry symmetry) {
 
 std::optional<SymmetryFigures> computeSymmetry(const GridShape& shape, const Matrix3Xd& targets,
                                                const Matrix3Xd& result) {
-  const double percent = 100 / boundingDiagonal(targets);
+  const double percent = 100 / intrinsicDiagonal(targets);
   std::optional<SymmetryFigures> worst;
   for (const Symmetry symmetry :
        {Symmetry::mirrorAcrossU, Symmetry::mirrorAcrossV, Symmetry::halfTurn}) {

@@ -141,7 +141,10 @@ class JacobiSolver::RunLog {
   void add(const SolverSample& sample) {
     sweeps_ += kSweepsPerCheck;
     if (!std::isfinite(sample.energy) || !std::isfinite(sample.residual)) {
-      throw DeviceError(fmt::format("the solve left the range of numbers at sweep {}", sweeps_));
+      throw DeviceError(
+          fmt::format("the solve left the range of numbers at sweep {}; weights, or lengths, that "
+                      "differ less may do",
+                      sweeps_));
     }
     history_.push_back({sweeps_, sample.energy * energyScale_, sample.residual, seconds()});
     if (sample.residual < 0.9 * bestResidual_) {

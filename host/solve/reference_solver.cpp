@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <deque>
 #include <limits>
@@ -24,7 +25,9 @@ constexpr double kSufficientDecrease = 1e-4;
 // Near the minimum the energy's rounding hides its decrease; there the slope decides (approximate
 // Wolfe condition, Hager & Zhang 2005).
 constexpr double kEnergyRounding = 1e-13;
-constexpr long kPatience = 300;     // Iterations without a new best residual that end the run.
+constexpr long kPatience = 300;  // Iterations without progress that end the run.
+// Where a grid unrolls, its energy falls long before its residual does: so much less is progress.
+constexpr double kProgressOfEnergy = 1e-6;
 constexpr double kLargestMove = 2;  // Spacings that a vertex may move in one step.
 constexpr long kSampleEvery = 10;
 
@@ -124,6 +127,7 @@ Equilibrium solveReference(const StrutGrid& grid, const SolveOptions& options) {
   CheckpointPace<SolveCheckpoint> pace(options.onCheckpoint);
   StrutEnergy::Value value = energy.evaluate(result.positions);
   double bestResidual = std::numeric_limits<double>::infinity();
+  double bestEnergy = std::numeric_limits<double>::infinity();
   long bestIteration = result.iterations;
   for (;; ++result.iterations) {
     result.energy = value.energy;
@@ -140,8 +144,10 @@ Equilibrium solveReference(const StrutGrid& grid, const SolveOptions& options) {
         options.onProgress(result.history.back());
       }
     }
-    if (result.residual < 0.9 * bestResidual) {
-      bestResidual = result.residual;
+    const bool fallsResidual = result.residual < 0.9 * bestResidual;
+    if (fallsResidual || value.energy < (1 - kProgressOfEnergy) * bestEnergy) {
+      bestResidual = std::min(bestResidual, result.residual);
+      bestEnergy = value.energy;
       bestIteration = result.iterations;
     }
     const bool interrupted = options.stopRequested();

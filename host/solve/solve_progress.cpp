@@ -10,8 +10,8 @@
 namespace morphgrid {
 namespace {
 
-// For the time left: what grids not yet begun will take.
-constexpr double kExpectedCycles = 20;
+// Half of the steps must be as many for their fall to tell a rate.
+constexpr std::size_t kFewestSteps = 2;
 // Energy, in stiffness x spacing^2 a vertex, that positions cannot tell from none.
 constexpr double kNoEnergy = 1e-13;
 
@@ -25,15 +25,17 @@ void EnergyFall::add(const PreconditionedDescent& descent) {
   shares_.push_back(share);
 }
 
+bool EnergyFall::tellsRate() const {
+  const std::size_t span = shares_.size() / 2;
+  return span >= kFewestSteps && tolerance_ > 0 && shares_.back() > 0 &&
+         shares_[shares_.size() - 1 - span] > shares_.back();
+}
+
 double EnergyFall::stepsLeft() const {
   const std::size_t span = shares_.size() / 2;
-  if (span < 2 || tolerance_ <= 0) {
-    return kExpectedCycles;
-  }
   const double now = shares_.back();
   const double fall = std::log(shares_[shares_.size() - 1 - span] / now);
-  return fall > 0 ? std::max(0.0, std::log(now / tolerance_)) * double(span) / fall
-                  : kExpectedCycles;
+  return std::max(0.0, std::log(now / tolerance_)) * double(span) / fall;
 }
 
 SolveProgress::SolveProgress(const SolveOptions& options, const std::vector<int>& vertexCounts)
@@ -48,18 +50,16 @@ SolveProgress::SolveProgress(const SolveOptions& options, const std::vector<int>
   for (const int count : vertexCounts) {
     shares_.push_back(double(count) / vertexCounts.back());
   }
-  for (std::size_t n = phase_; n < shares_.size(); ++n) {
-    cyclesToCome_ += kExpectedCycles * shares_[n];
-  }
 }
 
 void SolveProgress::beginGrid(std::size_t n, double spacing, double meanStiffness) {
   const double count = vertexCounts_[n];
   phase_ = n;
+  phaseSeconds_ = seconds();
+  phaseCycles_ = cycles_;
   energyScale_ = spacing * spacing;
   residualScale_ = 1 / (meanStiffness * std::sqrt(count));
   noEnergy_ = kNoEnergy * meanStiffness * count;
-  cyclesToCome_ -= kExpectedCycles * shares_[n];
 }
 
 void SolveProgress::tellGrid(std::shared_ptr<const DeviceGrid> grid) const {
@@ -73,11 +73,16 @@ void SolveProgress::add(const PreconditionedDescent& descent, const EnergyFall& 
   cycles_ += share;
   const double residual = residualOf(descent);
   if (!std::isfinite(descent.energy()) || !std::isfinite(residual)) {
-    throw DeviceError(fmt::format("the solve left the range of numbers at cycle {:.0f}", cycles_));
+    throw DeviceError(
+        fmt::format("the solve left the range of numbers at cycle {:.0f}; weights, or lengths, "
+                    "that differ less may do",
+                    cycles_));
   }
-  const double cyclesLeft = cyclesToCome_ + fall.stepsLeft() * share;
+  // Before, what a cycle takes and how many are left is hardly known.
+  const bool isKnown = phase_ + 1 == shares_.size() && fall.tellsRate();
+  const double rate = (seconds() - phaseSeconds_) / (cycles_ - phaseCycles_);
   history_.push_back({static_cast<long>(std::ceil(cycles_)), descent.energy() * energyScale_,
-                      residual, seconds(), share, seconds() / cycles_ * cyclesLeft});
+                      residual, seconds(), share, isKnown ? rate * fall.stepsLeft() : -1});
   if (options_.onProgress) {
     options_.onProgress(history_.back());
   }

@@ -22,7 +22,9 @@ class EnergyFall {
   /// How many of the last steps in a row could not have lowered the energy by the tolerance.
   int quietSteps() const { return quietSteps_; }
 
-  /// Steps to the tolerance, judged by the last half of them.
+  /// Whether the last half of the steps has fallen, and they are enough to tell how fast.
+  bool tellsRate() const;
+  /// Steps to the tolerance, judged by the last half of them; where these tell a rate.
   double stepsLeft() const;
 
  private:
@@ -73,7 +75,8 @@ class SolveProgress {
   double residualScale_ = 1;  ///< From a gradient's norm, see StrutEnergy::residual().
   double noEnergy_ = 0;
   double cycles_ = 0;
-  double cyclesToCome_ = 0;  ///< On grids not yet begun, about.
+  double phaseSeconds_ = 0;  ///< When that grid was begun.
+  double phaseCycles_ = 0;
   std::vector<ConvergenceSample> history_;
 };
 

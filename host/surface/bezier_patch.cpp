@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "core/error.h"
+#include "core/number_range.h"
 
 namespace morphgrid {
 namespace {
@@ -65,6 +66,10 @@ double signedCurvature(const Vector3d& first, const Vector3d& second, const Vect
   return normal.dot(second) >= 0 ? curvature : -curvature;
 }
 
+bool isWithin(const NumberRange& range, const Vector3d& point) {
+  return std::all_of(point.begin(), point.end(), [&](double x) { return range.contains(x); });
+}
+
 }  // namespace
 
 BezierPatch::BezierPatch(const ControlPoints& controlPoints) : controlPoints_(controlPoints) {
@@ -73,10 +78,10 @@ BezierPatch::BezierPatch(const ControlPoints& controlPoints) : controlPoints_(co
   for (int j = 0; j < 4; ++j) {
     for (int i = 0; i < 4; ++i) {
       const Vector3d& p = controlPoints[j][i];
-      if (!p.allFinite()) {
-        throw InputError(
-            fmt::format("control point (row {}, column {}) must be finite, got [{}, {}, {}]", j, i,
-                        p.x(), p.y(), p.z()));
+      if (!isWithin(kCoordinates, p)) {
+        throw InputError(fmt::format(
+            "control point (row {}, column {}): each coordinate must be {}, got [{}, {}, {}]", j, i,
+            describe(kCoordinates), p.x(), p.y(), p.z()));
       }
       low = low.cwiseMin(p);
       high = high.cwiseMax(p);

@@ -80,8 +80,7 @@ const std::vector<TomlKey<MeshConfiguration>>& meshConfigurationKeys() {
   using Mesh = MeshConfiguration;
   static const std::vector<TomlKey<Mesh>> kKeys = {
       {.name = "mesh",
-       .value =
-           fileKey(at(&Mesh::mesh), "file", "(tools/run installs and makes the meshes of scenes/)"),
+       .value = fileKey(at(&Mesh::mesh), "file", "(if it belongs to scenes/, tools/run makes it)"),
        .isRequired = true,
        .meaning = "The mesh: OBJ, STL, PLY, glTF or GLB, relative to this file."},
       {.name = "samples_u",

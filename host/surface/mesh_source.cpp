@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cctype>
-#include <system_error>
 
 #include "core/read_file.h"
 
@@ -58,15 +57,7 @@ InputError pointCloudError(const MeshSource& source, std::size_t points) {
 }
 
 std::string readMeshFile(const std::filesystem::path& file) {
-  const MeshSource source{file, {}};
-  std::error_code ignored;  // What does not exist or is a folder, readFile refuses.
-  const std::filesystem::file_status status = std::filesystem::status(file, ignored);
-  if (std::filesystem::is_other(status)) throw source.error("cannot be read: no regular file");
-  const std::uintmax_t size = std::filesystem::file_size(file, ignored);
-  if (std::filesystem::is_regular_file(status) && size > kMostMeshBytes) {
-    throw source.error(fmt::format("must be of {} bytes at most, got {}", kMostMeshBytes, size));
-  }
-  return readFile(file);
+  return readFile(file, kMostMeshBytes);
 }
 
 bool isSameWithoutCase(std::string_view a, std::string_view b) {

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "core/number_range.h"
 #include "measure/lattice_measurement.h"
 #include "surface/load_mesh.h"
 #include "surface/main_extent.h"
@@ -11,6 +12,17 @@
 
 namespace morphgrid {
 namespace {
+
+void requireWithinReach(const TriangleMesh& mesh) {
+  const Eigen::AlignedBox3d box = boundingBox(mesh);
+  for (const Eigen::Vector3d& corner : {box.min(), box.max()}) {
+    for (const double coordinate : corner) {
+      if (kCoordinates.contains(coordinate)) continue;
+      throw InputError(fmt::format("each coordinate must be {} once transforms are done, got {}",
+                                   describe(kCoordinates), coordinate));
+    }
+  }
+}
 
 class MeshTarget final : public Target {
  public:
@@ -123,6 +135,7 @@ std::shared_ptr<const PlacedMesh> placeMesh(const NotedMesh& loaded,
   try {
     NotedMesh mesh = subdivideLoop(loaded.mesh, configuration.subdivisions);
     mesh.mesh = transformed(configuration.worldFromMesh, std::move(mesh.mesh));
+    requireWithinReach(mesh.mesh);
     mesh.notices.insert(mesh.notices.begin(), loaded.notices.begin(), loaded.notices.end());
     for (std::string& notice : mesh.notices) {
       notice = fmt::format("{}: {}", configuration.mesh.string(), notice);

@@ -6,7 +6,7 @@
 #include <cassert>
 #include <numbers>
 
-#include "core/bounding_diagonal.h"
+#include "core/intrinsic_diagonal.h"
 #include "energy/bar_state.h"
 #include "grid/shrink.h"
 #include "shared/share_color.h"
@@ -58,7 +58,7 @@ ColorShares distanceColors(const ShownGrid& shown, const Eigen::Matrix3Xd& targe
   const double largest = distances.maxCoeff();
   const Eigen::VectorXd columns = distances / scaleOf(largest);
   return {strutShares(shown.grid->shape, columns), columns,
-          distanceLegend(largest, 100 * largest / boundingDiagonal(targets))};
+          distanceLegend(largest, 100 * largest / intrinsicDiagonal(targets))};
 }
 
 ColorShares angleErrorColors(const GridShape& shape, const Eigen::VectorXd& errors) {

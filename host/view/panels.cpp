@@ -17,6 +17,7 @@ const ImVec4 kWarning{0.75F, 0.25F, 0.0F, 1};
 constexpr double kDegreesPerRadian = 180 / std::numbers::pi;
 constexpr float kPlotHeight = 46;  // Pixels.
 constexpr float kStrutStyleWidth = 120;
+constexpr float kMessageWidth = 480;
 constexpr const char* kAutomatic = "automatic";
 constexpr const char* kHelp =
     "Drag with the left button: turn.  Right button or Shift: move.  Wheel: nearer, farther.\n"
@@ -97,14 +98,6 @@ void plot(const char* label, const std::vector<ConvergenceSample>& history,
 
 void drawRun(const Snapshot& snapshot, ViewState& state, Session& session) {
   ImGui::TextWrapped("%s", snapshot.status.c_str());
-  if (snapshot.problem) {
-    ImGui::PushStyleColor(ImGuiCol_Text, kWarning);
-    ImGui::TextWrapped("%s", snapshot.problem->c_str());
-    ImGui::PopStyleColor();
-  }
-  if (snapshot.isOutdated) {
-    ImGui::TextColored(kWarning, "A file of the scene has changed: Ctrl+R reads it again.");
-  }
   drawRunButtons(state, session);
   ImGui::PushID("residual");
   plot("residual", snapshot.history, &ConvergenceSample::residual);
@@ -112,9 +105,33 @@ void drawRun(const Snapshot& snapshot, ViewState& state, Session& session) {
   ImGui::PushID("energy");
   plot("energy", snapshot.history, &ConvergenceSample::energy);
   ImGui::PopID();
-  if (!snapshot.message.empty()) {
-    ImGui::TextWrapped("%s", snapshot.message.c_str());
+}
+
+/// Beside the panel: there, what comes and goes would move the controls under the mouse.
+void drawMessages(const Snapshot& snapshot, int windowHeight) {
+  if (!snapshot.problem && !snapshot.isOutdated && snapshot.message.empty()) {
+    return;
   }
+  ImGui::SetNextWindowPos({kPanelWidth + 16, static_cast<float>(windowHeight) - 16},
+                          ImGuiCond_Always, {0, 1});
+  ImGui::Begin("Messages", nullptr,
+               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize |
+                   ImGuiWindowFlags_NoInputs | ImGuiWindowFlags_NoNav |
+                   ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing);
+  ImGui::PushTextWrapPos(kMessageWidth);
+  ImGui::PushStyleColor(ImGuiCol_Text, kWarning);
+  if (snapshot.problem) {
+    ImGui::TextUnformatted(snapshot.problem->c_str());
+  }
+  if (snapshot.isOutdated) {
+    ImGui::TextUnformatted("A file of the scene has changed: Ctrl+R reads it again.");
+  }
+  ImGui::PopStyleColor();
+  if (!snapshot.message.empty()) {
+    ImGui::TextUnformatted(snapshot.message.c_str());
+  }
+  ImGui::PopTextWrapPos();
+  ImGui::End();
 }
 
 void drawStageChoice(const Snapshot& snapshot, ViewState& state) {
@@ -195,8 +212,9 @@ std::optional<std::string> drawKnob(const Knob& knob) {
   }
   if (knob.isInteger) {
     int value = static_cast<int>(knob.value);
-    return ImGui::InputInt(knob.label.c_str(), &value, 1, 10) ? std::optional(std::to_string(value))
-                                                              : std::nullopt;
+    ImGui::InputInt(knob.label.c_str(), &value, 1, 10);
+    const double within = std::clamp(static_cast<double>(value), knob.low, knob.high);
+    return within == knob.value ? std::nullopt : std::optional(fmt::format("{:.0f}", within));
   }
   double value = knob.value;
   const int flags = knob.isLogarithmic ? ImGuiSliderFlags_Logarithmic : ImGuiSliderFlags_None;
@@ -267,6 +285,7 @@ void drawPanels(const Snapshot& snapshot, ViewState& state, Session& session,
     drawFigures(snapshot);
   }
   ImGui::End();
+  drawMessages(snapshot, windowHeight);
 }
 
 void drawStrutNumbers(const Snapshot& snapshot, const ShownGrid& shown, const Strut& strut) {

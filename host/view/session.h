@@ -42,8 +42,8 @@ struct Knob {
   std::string key;    ///< Dotted, e.g. "grid.layers".
   std::string label;  ///< For people.
   double value = 0;   ///< For a choice, its index.
-  double low = 0;
-  double high = 1;
+  double low = 0;     ///< Of an integer, the least that the scene file may hold ...
+  double high = 1;    ///< ... and the most.
   bool isInteger = false;
   bool isLogarithmic = false;
   std::vector<std::string> choices;  ///< Not empty: one of these.

@@ -69,6 +69,11 @@ Presentation Window::presentation() {
   std::uint32_t count = 0;
   const char** names = glfwGetRequiredInstanceExtensions(&count);
   if (!names) {
+    if (glfwVulkanSupported() == GLFW_FALSE) {
+      throw DeviceError(
+          "there is no Vulkan driver; install one for your GPU, or the software device: apt-get "
+          "install mesa-vulkan-drivers");
+    }
     failToOpen(lastComplaint());
   }
   return {{names, names + count},

@@ -69,7 +69,7 @@ TEST(MaterialSettings, AFrameGoesWithWhatIsThereForIt) {
               HasSubstr("needs solver.method = \"multigrid\""));
   EXPECT_THAT(problems("material.poisson=0.5"), HasSubstr("material.poisson must be"));
   EXPECT_THAT(problems("material.bar_width=0"),
-              HasSubstr("material.bar_width must be a number > 0"));
+              HasSubstr("material.bar_width must be a number >= 1e-30 and <= 1e+15"));
 }
 
 constexpr const char* kWeight =

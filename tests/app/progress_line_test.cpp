@@ -16,6 +16,21 @@ TEST(EstimateSecondsLeft, ExtendsTheFallOfTheResidual) {
   EXPECT_EQ(estimateSecondsLeft(samples, 1e-5), 0);
 }
 
+TEST(EstimateSecondsLeft, IsUnknownUntilSamplesOfTheGridTellARate) {
+  std::vector<ConvergenceSample> samples;
+  const auto add = [&](double share, int n) {
+    samples.push_back({n, 1.0, std::pow(10.0, -n), double(n), share});
+  };
+  for (int n = 1; n <= 10; ++n) add(0.25, n);
+  EXPECT_NEAR(estimateSecondsLeft(samples, 1e-13), 3, 1e-9);
+  for (int n = 1; n <= 7; ++n) {
+    add(1, 10 + n);
+    EXPECT_LT(estimateSecondsLeft(samples, 1e-20), 0) << n;
+  }
+  add(1, 18);
+  EXPECT_NEAR(estimateSecondsLeft(samples, 1e-20), 2, 1e-9);
+}
+
 TEST(EstimateSecondsLeft, IsUnknownWhereNothingFalls) {
   EXPECT_LT(estimateSecondsLeft({}, 1e-9), 0);
   EXPECT_LT(estimateSecondsLeft({{1, 1.0, 0.5, 1}, {2, 1.0, 0.5, 2}}, 1e-9), 0);

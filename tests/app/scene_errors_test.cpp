@@ -40,13 +40,15 @@ TEST(SceneErrors, KeysOfAnotherKind) {
 }
 
 TEST(SceneErrors, MissingKeys) {
-  EXPECT_EQ(SceneFiles("").problems(),
-            "scene.toml:1:1: surface.kind is missing: it must be \"bezier\" or \"mesh\" or "
-            "\"bend_angles\"\n"
-            "scene.toml:1:1: grid.layer_spacing is missing: it must be a number > 0");
-  EXPECT_EQ(SceneFiles("\n[surface]\nkind = \"bezier\"\n\n  [grid]\n").problems(),
-            "scene.toml:2:1: surface.patch is missing: it must be a string\n"
-            "scene.toml:5:3: grid.layer_spacing is missing: it must be a number > 0");
+  EXPECT_EQ(
+      SceneFiles("").problems(),
+      "scene.toml:1:1: surface.kind is missing: it must be \"bezier\" or \"mesh\" or "
+      "\"bend_angles\"\n"
+      "scene.toml:1:1: grid.layer_spacing is missing: it must be a number >= 1e-30 and <= 1e+15");
+  EXPECT_EQ(
+      SceneFiles("\n[surface]\nkind = \"bezier\"\n\n  [grid]\n").problems(),
+      "scene.toml:2:1: surface.patch is missing: it must be a string\n"
+      "scene.toml:5:3: grid.layer_spacing is missing: it must be a number >= 1e-30 and <= 1e+15");
   EXPECT_EQ(SceneFiles("surface.kind = \"bend_angles\"\n[grid]\nlayer_spacing = 1\n").problems(),
             "scene.toml:2:1: grid.nodes_u is missing: it must be an integer >= 1 and <= "
             "2147483647\n"
@@ -159,7 +161,8 @@ TEST(SceneErrors, ProblemsOfThePatchComeWithThoseOfTheScene) {
 }
 
 TEST(SceneErrors, AreListedInTheOrderOfTheFile) {
-  EXPECT_EQ(SceneFiles(R"(titel = "x"
+  EXPECT_EQ(
+      SceneFiles(R"(titel = "x"
 [output]
 width = 1
 [solver]
@@ -171,15 +174,15 @@ nodes_lnog = 1
 kind = "bezier"
 patch = "none.toml"
 )")
-                .problems(),
-            "scene.toml:1:1: unknown key titel; did you mean title?\n"
-            "scene.toml:3:9: output.width must be an integer >= 64 and <= 8192, got 1\n"
-            "scene.toml:5:13: solver.tolerance must be a number > 0 and < 1, got \"small\"\n"
-            "scene.toml:6:1: grid.layer_spacing is missing: it must be a number > 0\n"
-            "scene.toml:7:10: grid.layers must be an integer >= 1 and <= 64, got 4.5\n"
-            "scene.toml:8:1: unknown key grid.nodes_lnog; did you mean grid.nodes_long?\n"
-            "scene.toml:11:9: surface.patch must name a readable file, got none.toml: No such "
-            "file or directory");
+          .problems(),
+      "scene.toml:1:1: unknown key titel; did you mean title?\n"
+      "scene.toml:3:9: output.width must be an integer >= 64 and <= 8192, got 1\n"
+      "scene.toml:5:13: solver.tolerance must be a number > 0 and < 1, got \"small\"\n"
+      "scene.toml:6:1: grid.layer_spacing is missing: it must be a number >= 1e-30 and <= 1e+15\n"
+      "scene.toml:7:10: grid.layers must be an integer >= 1 and <= 64, got 4.5\n"
+      "scene.toml:8:1: unknown key grid.nodes_lnog; did you mean grid.nodes_long?\n"
+      "scene.toml:11:9: surface.patch must name a readable file, got none.toml: No such "
+      "file or directory");
 }
 
 }  // namespace

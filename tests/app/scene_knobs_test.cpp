@@ -1,5 +1,6 @@
 #include "app/scene_knobs.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
 #include <algorithm>
@@ -74,6 +75,18 @@ TEST(SceneKnobs, EveryChoiceIsAValueOfTheSceneFile) {
     for (const std::string& choice : knob.choices) {
       EXPECT_EQ(files.problems({knob.key + "=\"" + choice + '"'}), "");
     }
+  }
+}
+
+TEST(SceneKnobs, OfIntegersStayWithinWhatTheSceneFileMayHold) {
+  const SceneFiles files(kBezierScene);
+  const Knob layers = knobOf(knobsOf(files.load()), "grid.layers");
+  EXPECT_EQ(layers.low, 1);
+  EXPECT_EQ(layers.high, 64);
+  for (const Knob& knob : knobsOf(files.load())) {
+    if (!knob.isInteger || knob.high > 1e6) continue;  // As many nodes would be another problem.
+    EXPECT_EQ(files.problems({fmt::format("{}={}", knob.key, knob.low)}), "");
+    EXPECT_EQ(files.problems({fmt::format("{}={}", knob.key, knob.high)}), "");
   }
 }
 

@@ -101,11 +101,12 @@ TEST(Overrides, MalformedOnesAreReportedOnOneLine) {
 
 TEST(Overrides, AllProblemsAtOnce) {
   const SceneFiles files("[surface]\nkind = \"bezier\"\npatch = \"p.toml\"\n");
-  EXPECT_EQ(files.problems({"grid.layers=0", "weights.angle=-1", "grid.lairs=1"}),
-            "scene.toml:1:1: grid.layer_spacing is missing: it must be a number > 0\n"
-            "--set grid.layers=0: grid.layers must be an integer >= 1 and <= 64, got 0\n"
-            "--set weights.angle=-1: weights.angle must be a number >= 0, got -1\n"
-            "--set grid.lairs=1: unknown key grid.lairs; did you mean grid.layers?");
+  EXPECT_EQ(
+      files.problems({"grid.layers=0", "weights.angle=-1", "grid.lairs=1"}),
+      "scene.toml:1:1: grid.layer_spacing is missing: it must be a number >= 1e-30 and <= 1e+15\n"
+      "--set grid.layers=0: grid.layers must be an integer >= 1 and <= 64, got 0\n"
+      "--set weights.angle=-1: weights.angle must be a number >= 0 and <= 1e+09, got -1\n"
+      "--set grid.lairs=1: unknown key grid.lairs; did you mean grid.layers?");
   EXPECT_THAT(SceneFiles("[").problems({"a", "b=[1"}),
               AllOf(StartsWith("scene.toml:1:2: not valid TOML: "), HasSubstr("\n--set a: must be"),
                     HasSubstr("\n--set b=[1: not valid TOML: ")));

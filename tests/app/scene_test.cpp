@@ -17,6 +17,11 @@ namespace {
 
 const std::filesystem::path kScenes = sourceFolder() / "scenes";
 
+TEST(Scene, ControlCharactersInItsTitleAreWrittenOut) {
+  const SceneFiles files("title = \"red \\u001B[31m and\\nmore\"\n" + std::string(kBezierScene));
+  EXPECT_EQ(files.load().title, "red \\x1b[31m and\\x0amore");
+}
+
 void expectCorner(const Scene& scene, const Eigen::Vector3d& corner) {
   const auto* patch = std::get_if<PatchRequest>(&scene.surface);
   ASSERT_TRUE(patch);

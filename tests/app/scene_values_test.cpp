@@ -40,9 +40,9 @@ TEST(SceneValues, GridOfAPatch) {
           {"curvature_cutoff = 0.0",
            "scene.toml:6:20: grid.curvature_cutoff must be a number > 0 and <= 1, got 0.0"},
           {"strut_thickness = 0",
-           "scene.toml:6:19: grid.strut_thickness must be a number > 0, got 0"},
+           "scene.toml:6:19: grid.strut_thickness must be a number >= 1e-30 and <= 1e+15, got 0"},
           {"strut_thickness = inf",
-           "scene.toml:6:19: grid.strut_thickness must be a number > 0, got inf"},
+           "scene.toml:6:19: grid.strut_thickness must be a number >= 1e-30 and <= 1e+15, got inf"},
           {"curvature_cutoff = 1.01",
            "scene.toml:6:20: grid.curvature_cutoff must be a number > 0 and <= 1, got 1.01"},
       });
@@ -53,13 +53,13 @@ TEST(SceneValues, OtherSections) {
       kBezierScene,
       {
           {"[weights]\nlateral = 0",
-           "scene.toml:7:11: weights.lateral must be a number > 0, got 0"},
+           "scene.toml:7:11: weights.lateral must be a number >= 1e-09 and <= 1e+09, got 0"},
           {"[weights]\nvertical = inf",
-           "scene.toml:7:12: weights.vertical must be a number > 0, got inf"},
+           "scene.toml:7:12: weights.vertical must be a number >= 1e-09 and <= 1e+09, got inf"},
           {"[weights]\nangle = -1e-3",
-           "scene.toml:7:9: weights.angle must be a number >= 0, got -0.001"},
+           "scene.toml:7:9: weights.angle must be a number >= 0 and <= 1e+09, got -0.001"},
           {"[weights]\nangle = -inf",
-           "scene.toml:7:9: weights.angle must be a number >= 0, got -inf"},
+           "scene.toml:7:9: weights.angle must be a number >= 0 and <= 1e+09, got -inf"},
           {"[solver]\nmethod = \"jacobbi\"",
            "scene.toml:7:10: solver.method must be \"multigrid\" or \"jacobi\" or \"reference\", "
            "got \"jacobbi\""},
@@ -114,12 +114,32 @@ TEST(SceneValues, BendAngles) {
       {"theta_v = [\"1\", nan]",
        "scene.toml:1:47: surface.theta_v[0] must be a number >= -pi and <= pi, got \"1\"\n"
        "scene.toml:1:52: surface.theta_v[1] must be a number >= -pi and <= pi, got nan"},
-      {"spacing = 0", "scene.toml:1:46: surface.spacing must be a number > 0, got 0"},
+      {"spacing = 0",
+       "scene.toml:1:46: surface.spacing must be a number >= 1e-30 and <= 1e+15, got 0"},
   };
   for (const BadCase& bad : cases) {
     SCOPED_TRACE(bad.appended);
     EXPECT_EQ(SceneFiles(start + ", " + bad.appended + end).problems(), bad.message);
   }
+}
+
+TEST(SceneValues, BeyondWhatTheDeviceCanReckonWith) {
+  expectMessages(
+      kBendAnglesScene,
+      {
+          {"strut_thickness = 1e16",
+           "scene.toml:7:19: grid.strut_thickness must be a number >= 1e-30 and <= 1e+15, got "
+           "1e+16"},
+          {"[weights]\nlateral = 1e308",
+           "scene.toml:8:11: weights.lateral must be a number >= 1e-09 and <= 1e+09, got 1e+308"},
+          {"[weights]\nvertical = 1e-20",
+           "scene.toml:8:12: weights.vertical must be a number >= 1e-09 and <= 1e+09, got 1e-20"},
+          {"[weights]\nangle = 1e20",
+           "scene.toml:8:9: weights.angle must be a number >= 0 and <= 1e+09, got 1e+20"},
+      });
+  EXPECT_EQ(SceneFiles(kBendAnglesScene).problems({"grid.layer_spacing=1e-300"}),
+            "--set grid.layer_spacing=1e-300: grid.layer_spacing must be a number >= 1e-30 and <= "
+            "1e+15, got 1e-300");
 }
 
 TEST(SceneValues, TooManyVertices) {

@@ -2,7 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <limits>
 #include <numeric>
+
+#include "core/error.h"
 
 namespace morphgrid {
 namespace {
@@ -22,6 +26,14 @@ TEST(DistanceSpread, HistogramRunsFromZeroToTheLargest) {
   EXPECT_EQ(std::accumulate(spread.counts.begin(), spread.counts.end(), 0), 101);
   for (const int count : spread.counts) {
     EXPECT_NEAR(count, 10, 1);  // Rounding moves a value on the edge of a bin.
+  }
+}
+
+TEST(DistanceSpread, RefusesWhatIsNoNumber) {
+  for (const double bad : {std::nan(""), std::numeric_limits<double>::infinity()}) {
+    Eigen::VectorXd values = Eigen::VectorXd::LinSpaced(5, 0, 1);
+    values[2] = bad;
+    EXPECT_THROW(spreadOf(values), InputError);
   }
 }
 

@@ -65,6 +65,20 @@ TEST(TargetDistance, IsInPercentOfTheDiagonal) {
   EXPECT_NEAR(d.rmsPercent, 100 * 0.01 * std::sqrt(8.0 / 9) / std::sqrt(2.0), 0.01);
 }
 
+TEST(TargetDistance, PercentsTurnWithTheTarget) {
+  const Eigen::Matrix3Xd targets = planePoints(3);
+  Eigen::Matrix3Xd slid = targets;
+  slid(0, 4) += 0.1;
+  const Eigen::AngleAxisd turn(0.7, Eigen::Vector3d::UnitZ());  // Within the plane.
+  const TargetDistance d = computeTargetDistance(slid, targets, plane());
+  const TargetDistance turned = computeTargetDistance(turn.toRotationMatrix() * slid,
+                                                      turn.toRotationMatrix() * targets, plane());
+  EXPECT_NEAR(turned.rmsPercent, d.rmsPercent, 1e-9 * d.rmsPercent);
+  EXPECT_NEAR(turned.diagonal, std::sqrt(2.0), 1e-12);
+  EXPECT_NEAR(d.axisParallelDiagonal, std::sqrt(2.0), 1e-12);
+  EXPECT_GT(turned.axisParallelDiagonal, 1.3 * std::sqrt(2.0));
+}
+
 TEST(TargetDistance, SpreadsAreOfTheSameDistances) {
   const Eigen::Matrix3Xd targets = planePoints(5);
   Eigen::Matrix3Xd slid = targets;

@@ -28,7 +28,9 @@ RunRecord fullRecord() {
                                   {InverseStep::Kind::compensate, 1, 3, 4, 5, 1.5, 6, 7, 8, 1.5},
                                   {InverseStep::Kind::optimise, 1, 2, 3, 4, 0.5, 5, 6, 7, 2.5}},
                                  "all steps done",
-                                 FromFlat{true, 2.25, 0.75}};
+                                 FromFlat{true, 2.25, 0.75, false, 1234, 1.5}};
+  record.distance->diagonal = 17.5;
+  record.distance->axisParallelDiagonal = 18.25;
   record.feasibility->cells = {3, 4, -0.5, {5, 6, 2}};
   record.feasibility->selfIntersection = {7, {8, 9, 1}};
   record.feasibility->closeStruts = CloseStruts{0.25, 2, 0.125, {1, 2, 0}};

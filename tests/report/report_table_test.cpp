@@ -1,6 +1,9 @@
 #include "report/report_table.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
+
+#include <tuple>
 
 #include "tests/report/sample_record.h"
 
@@ -18,6 +21,30 @@ TEST(ReportTable, ShowsThePaperBesideOursWhereItHasFigures) {
   record.published = paper;
   EXPECT_THAT(toTable(record), HasSubstr("paper Fig. 4"));
   EXPECT_THAT(toTable(record), HasSubstr("7.55 %"));
+}
+
+TEST(ReportTable, SendsNoControlCharactersToATerminal) {
+  RunRecord record = sampleRecord();
+  record.title = "a\x1b[31m\nb";
+  record.model = "m\x07";
+  EXPECT_THAT(toTable(record), testing::StartsWith("a\\x1b[31m\\x0ab "));
+  EXPECT_THAT(toTable(record), HasSubstr("m\\x07"));
+}
+
+TEST(ReportTable, GivesTheCheckFromFlatARowOfItsOwn) {
+  RunRecord record = sampleRecord();
+  const InverseStep step{InverseStep::Kind::design, 0, 4, 5, 6, 2.5, 7, 8, 9, 0.5};
+  record.inverse = InverseDesign{{}, {}, {step}, "all steps done", {}};
+  EXPECT_THAT(toTable(record), testing::Not(HasSubstr("check from flat")));
+  for (const auto& [isSame, isSettled, outcome] :
+       {std::tuple(true, true, "the design's equilibrium"),
+        std::tuple(false, true, "ANOTHER equilibrium"),
+        std::tuple(true, false, "NOT at rest: unknown")}) {
+    record.inverse->fromFlat = FromFlat{isSame, 2.25, {}, isSettled, 1234, 1.5};
+    EXPECT_THAT(toTable(record), HasSubstr(fmt::format("  check from flat: 1234 cycles ({}), "
+                                                       "distance 2.25 %, 1.50 s\n",
+                                                       outcome)));
+  }
 }
 
 TEST(ReportTable, SpeaksOfFeasibilityWhereSomethingIsWrong) {

@@ -34,7 +34,7 @@ TEST(LoadMesh, TellsWhyAFileCannotBeRead) {
   std::filesystem::create_directory(folder / "folder.obj");
   EXPECT_EQ(problemOfName("folder.obj"), "folder.obj: cannot be read: it is a folder");
   ASSERT_EQ(mkfifo((folder / "pipe.obj").c_str(), 0600), 0);
-  EXPECT_EQ(problemOfName("pipe.obj"), "pipe.obj: cannot be read: no regular file");
+  EXPECT_EQ(problemOfName("pipe.obj"), "pipe.obj: cannot be read: it is no regular file");
   folder.write("empty.obj", "");
   EXPECT_EQ(problemOfName("empty.obj"), "empty.obj: is empty");
   for (const std::string extension : {".fbx", ".bin", ""}) {

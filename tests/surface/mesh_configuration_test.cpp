@@ -86,7 +86,7 @@ TEST(MeshConfiguration, ReportsMissingMeshesWithAHint) {
   EXPECT_EQ(problemsOf(""), "m.toml:1:1: mesh is missing: it must be a string");
   EXPECT_EQ(problemsOf("mesh = \"n.obj\"\n"),
             "m.toml:1:8: mesh must name a readable file, got n.obj: No such file or directory "
-            "(tools/run installs and makes the meshes of scenes/)");
+            "(if it belongs to scenes/, tools/run makes it)");
   EXPECT_EQ(problemsOf("mesh = \".\"\n"),
             "m.toml:1:8: mesh must name a readable file, got .: it is a folder");
 }

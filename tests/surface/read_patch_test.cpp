@@ -89,6 +89,19 @@ TEST(ReadPatch, ReportsWhatIsNoSurface) {
               testing::StartsWith("p.toml:1:18: control_points: the patch has no area"));
 }
 
+TEST(ReadPatch, ReportsPointsTooFarAway) {
+  const auto withCorner = [](const char* x) {
+    return patchOf("[[" + std::string(x) + ", 0, 0], [1, 0, 1], [2, 0, 1], [3, 0, 0]],\n");
+  };
+  EXPECT_EQ(problemsOf(withCorner("1e15")), "");
+  for (const char* x : {"1e+17", "-1e+30", "1e+300"}) {
+    EXPECT_EQ(problemsOf(withCorner(x)),
+              "p.toml:1:18: control_points: control point (row 0, column 0): each coordinate must "
+              "be a number >= -1e+15 and <= 1e+15, got [" +
+                  std::string(x) + ", 0, 0]");
+  }
+}
+
 TEST(ReadPatch, ReportsSyntaxAndUnreadableFiles) {
   EXPECT_THAT(problemsOf("control_points = [\n"),
               testing::StartsWith("p.toml:1:20: not valid TOML: "));

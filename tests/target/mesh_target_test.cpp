@@ -106,6 +106,14 @@ TEST_F(MeshOnDisk, ThatIsBrokenIsToldWithItsFile) {
   EXPECT_THAT(problemOf(request("v 0 0 0\nf 1 2 3\n")), StartsWith((folder_ / "m.obj").string()));
 }
 
+TEST_F(MeshOnDisk, ThatIsMovedTooFarIsToldWithItsFile) {
+  MeshRequest far = request(heightFieldObj(dome));
+  far.configuration.worldFromMesh = Eigen::Scaling(1e17);
+  EXPECT_EQ(problemOf(far), (folder_ / "m.obj").string() +
+                                ": each coordinate must be a number >= -1e+15 and <= 1e+15 once "
+                                "transforms are done, got -1e+17");
+}
+
 TEST_F(MeshOnDisk, IsOutdatedOnceItsFileChanges) {
   const auto target = loadMeshTarget(request(heightFieldObj(dome)));
   EXPECT_FALSE(target->isOutdated());

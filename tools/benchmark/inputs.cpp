@@ -100,8 +100,7 @@ std::string rowOf(const DesignedInput& one) {
     const SceneProposal& proposal = *one.proposal;
     const SamplingBox& box = *proposal.surface.box;
     row += fmt::format("{} | {:.3g} x {:.3g} | {:.0f} | {} | ", proposal.placement.sight.name,
-                       box.uLength, box.vLength, 100 * proposal.share,
-                       nameOf(proposal.design.net));
+                       box.uLength, box.vLength, 100 * proposal.share, nameOf(proposal.design.net));
   } else {
     row += "| | | | ";
   }
