@@ -5,6 +5,7 @@
 #include <fmt/ranges.h>
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 
@@ -95,12 +96,13 @@ TEST_F(ScenesOfAllKinds, HaveTheDefaultsOfTheDocumentation) {
 /// Numbers just beyond a range, as TOML.
 std::vector<std::string> beyond(const NumberRange& range) {
   std::vector<std::string> numbers = {"nan", "inf", "-inf", "\"1\"", "true"};
-  constexpr double kLittle = 1e-9;
+  const auto little = [](double bound) { return 1e-9 * std::max(1.0, std::abs(bound)); };
   if (std::isfinite(range.low)) {
-    numbers.push_back(fmt::format("{}", range.low - (range.lowIncluded ? kLittle : 0)));
+    numbers.push_back(fmt::format("{}", range.low - (range.lowIncluded ? little(range.low) : 0)));
   }
   if (std::isfinite(range.high)) {
-    numbers.push_back(fmt::format("{}", range.high + (range.highIncluded ? kLittle : 0)));
+    numbers.push_back(
+        fmt::format("{}", range.high + (range.highIncluded ? little(range.high) : 0)));
   }
   return numbers;
 }
