@@ -9,7 +9,8 @@
 namespace morphgrid {
 
 /// What a path lays.
-enum class PathKind { along, across, hub, tube, skirt };
+enum class PathKind { along, across, hub, tube, skirt, tag };
+inline constexpr std::size_t kPathKinds = 6;
 
 /// What the nozzle lays without stopping. Lengths in mm, from the bed's corner.
 struct PrintPath {

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "print/strut_paths.h"
+#include "print/tier_tag.h"
 
 namespace morphgrid {
 namespace {
@@ -28,6 +29,7 @@ class TierWalk {
     for (int pass = 0; pass < passes; ++pass) {
       beginStrutPass(pass);
       if (pass == 0) laySkirt();
+      if (pass < kTagPasses) layTag();
       layLinesAlongU();
       layLinesAlongV();
       if (hasRings_) ringHeight_ = 0;
@@ -49,12 +51,18 @@ class TierWalk {
 
   GridPlace place(int i, int j) const { return {i, j, tier_}; }
 
-  void laySkirt() {
+  void laySkirt() { layStroke(skirtOf(plan_), PathKind::skirt); }
+
+  void layTag() {
+    for (auto& stroke : tagOf(plan_, tier_)) layStroke(std::move(stroke), PathKind::tag);
+  }
+
+  void layStroke(std::vector<Eigen::Vector2d> points, PathKind kind) {
     path_ = PrintPath();
-    path_.points = skirtOf(plan_);
-    path_.kind = PathKind::skirt;
+    path_.points = std::move(points);
+    path_.kind = kind;
     path_.bead = plan_.strutBead(height_);
-    path_.speed = plan_.printer.firstPassSpeed;
+    path_.speed = std::min(plan_.material.hub.speed, fastest_);
     visitor_.lay(path_);
   }
 

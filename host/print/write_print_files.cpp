@@ -7,12 +7,14 @@
 
 #include "core/atomic_file.h"
 #include "core/error.h"
+#include "print/assembly_page.h"
 
 namespace morphgrid {
 namespace {
 
-std::filesystem::path tierFile(const std::filesystem::path& folder, int tier) {
-  return folder / fmt::format("tier_{}.gcode", tier + 1);
+std::filesystem::path tierFile(const std::filesystem::path& folder, int tier,
+                               const char* extension) {
+  return folder / fmt::format("tier_{}.{}", tier + 1, extension);
 }
 
 /// Files that become visible together.
@@ -44,13 +46,15 @@ void writePrintFiles(PrintRecord& record, const std::filesystem::path& folder, b
   record.tiers.clear();
   for (int tier = 0; tier < tiers; ++tier) {
     const TierGcode gcode = writeTier(record.plan, tier, isPlain);
-    files.write(tierFile(folder, tier), gcode.text);
+    files.write(tierFile(folder, tier, "gcode"), gcode.text);
+    files.write(tierFile(folder, tier, "svg"), tierMap(record.plan, tier));
     record.tiers.push_back(gcode.figures);
   }
   files.write(folder / "print.json", printJson(record));
+  files.write(folder / "assembly.html", assemblyPage(record));
   files.commit();
-  for (int tier = tiers; std::filesystem::exists(tierFile(folder, tier)); ++tier) {
-    std::filesystem::remove(tierFile(folder, tier));
+  for (int tier = tiers; std::filesystem::remove(tierFile(folder, tier, "gcode")); ++tier) {
+    std::filesystem::remove(tierFile(folder, tier, "svg"));
   }
 }
 

@@ -5,9 +5,10 @@
 
 namespace morphgrid {
 
-/// Writes tier_1.gcode and so on, the bottom one first, and print.json into a folder that is there;
-/// files of tiers that an earlier print had more are removed. All are written, or none is changed:
-/// then it throws InputError, when a tier cannot be laid or the disk refuses. Fills record.tiers.
+/// Writes tier_1.gcode, tier_1.svg and so on, the bottom one first, print.json and assembly.html
+/// into a folder that is there; files of tiers that an earlier print had more are removed. All are
+/// written, or none is changed: then it throws InputError, when a tier cannot be laid or the disk
+/// refuses. Fills record.tiers.
 void writePrintFiles(PrintRecord& record, const std::filesystem::path& folder, bool isPlain);
 
 }  // namespace morphgrid

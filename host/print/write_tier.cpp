@@ -19,8 +19,9 @@ namespace {
 using Eigen::Vector2d;
 
 // What slicers call it: viewers colour by these words.
-constexpr const char* kTypes[] = {"Perimeter", "Solid infill", "External perimeter",
-                                  "External perimeter", "Skirt/Brim"};
+constexpr std::array<const char*, kPathKinds> kTypes = {"Perimeter",          "Solid infill",
+                                                        "External perimeter", "External perimeter",
+                                                        "Skirt/Brim",         "Gap fill"};
 constexpr double kLiftSpeed = 30;          // mm/s
 constexpr double kLiftAcceleration = 300;  // mm/s^2
 constexpr double kFilamentAcceleration = 1250;
@@ -205,6 +206,8 @@ void TierWriter::name(const PrintPath& path) {
       text_.line(fmt::format("; tube {} {}", place.i, place.j));
       break;
     case PathKind::skirt:
+    case PathKind::tag:
+      text_.line(path.kind == PathKind::tag ? "; tag" : "; skirt");
       break;
   }
 }

@@ -9,8 +9,8 @@ namespace morphgrid {
 
 /// What printing a tier takes.
 struct TierFigures {
-  int passes = 0;                  ///< Heights at which something is laid.
-  std::array<double, 5> pathMm{};  ///< Of each PathKind.
+  int passes = 0;                           ///< Heights at which something is laid.
+  std::array<double, kPathKinds> pathMm{};  ///< Of each PathKind.
   double travelMm = 0;
   int retractions = 0;
   double volume = 0;      ///< mm^3, with what fills the nozzle.
