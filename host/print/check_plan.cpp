@@ -106,7 +106,7 @@ void checkSpacing(const PrintPlan& plan, Reasons& reasons) {
 }  // namespace
 
 double roundedDown(double scale) {
-  const double step = 5 * std::pow(10.0, std::floor(std::log10(scale)) - 2);
+  const double step = 5 * std::pow(10.0, std::floor(std::log10(scale)) - 3);
   // Through the reciprocal where that is whole: 13.85 and not 13.850000000000001.
   const double count = std::floor(scale / step + 1e-9);
   return step < 1 ? count / std::round(1 / step) : count * step;

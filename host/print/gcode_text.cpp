@@ -88,8 +88,8 @@ void GcodeText::filament(double length, double speed) {
 
 std::string plainText(std::string text) {
   for (char& letter : text) {
-    const bool isPlain = letter >= ' ' && letter <= '~' && letter != ';' && letter != '*';
-    if (!isPlain) letter = '_';
+    const bool isPlain = letter >= ' ' && letter <= '~' && letter != '*';
+    letter = !isPlain ? '_' : letter == ';' ? ',' : letter;
   }
   return text;
 }

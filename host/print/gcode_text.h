@@ -30,7 +30,8 @@ class GcodeText {
   double writtenLaid_ = 0;  ///< As the rounded numbers add up.
 };
 
-/// Letters, digits and what else firmware takes in a comment or on its display; others become `_`.
+/// Letters, digits and what else firmware takes in a comment or on its display; others become `_`,
+/// and `;` a comma.
 std::string plainText(std::string text);
 
 }  // namespace morphgrid

@@ -86,7 +86,7 @@ void addTiers(PrintRows& rows, const PrintRecord& record) {
 }
 
 void addShape(PrintRows& rows, const LaidShape& shape) {
-  rows.row(shape.hasTarget ? "distance to the target" : "distance to the design's end", "{}",
+  rows.row(shape.hasTarget ? "distance to the target" : "distance to design's end", "{}",
            "RMS / max");
   rows.row("  as designed", "{:.3g} / {:.3g} %", shape.designRmsPercent, shape.designMaxPercent);
   rows.row("  as laid", "{:.3g} / {:.3g} %", shape.laidRmsPercent, shape.laidMaxPercent);

@@ -15,7 +15,7 @@ std::string boundsAdvice(const PrintPlan& plan) {
       "a design within grid.max_shrinkage = {:.2f} and material.least_shrinkage = {:.2f} "
       "(design.enforce_shrinkage), fewer and longer struts, a larger bed, or smaller hubs (--pin, "
       "--loops)",
-      std::floor(100 * bounds.most) / 100, std::ceil(100 * bounds.least) / 100);
+      std::floor(100 * bounds.most) / 100, std::ceil(100 * bounds.least) / 100 + 0.0);
 }
 
 }  // namespace

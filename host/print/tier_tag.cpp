@@ -44,7 +44,7 @@ double distanceToSegment(const Vector2d& point, const Vector2d& from, const Vect
 using CellCorners = std::array<Vector2d, 4>;
 
 /// The text in the middle of the cell, along the diagonal from 0, 0, on a line that joins its
-/// digits.
+/// digits and begins on the diagonal.
 Strokes textIn(const CellCorners& cell, const std::string& text, double size) {
   const Vector2d along = (cell[2] - cell[0]).normalized();
   const Vector2d up(-along.y(), along.x());
@@ -53,7 +53,8 @@ Strokes textIn(const CellCorners& cell, const std::string& text, double size) {
   const auto at = [&](double x, double y) -> Vector2d {
     return middle + size * ((x - width / 2) * along + (y - 1 - kUnderline / 2) * up);
   };
-  Strokes strokes{{at(0, kUnderline), at(width, kUnderline)}};
+  const Vector2d onDiagonal = middle - size * width / 2 * along;
+  Strokes strokes{{onDiagonal, at(0, kUnderline), at(width, kUnderline)}};
   for (std::size_t n = 0; n < text.size(); ++n) {
     const double left = kDigitStep * static_cast<double>(n);
     strokes.push_back({at(left + 1, kUnderline), at(left + 1, 0)});

@@ -36,8 +36,8 @@ class RoundTrip : public testing::TestWithParam<unsigned> {
   RoundTrip() {
     PrintMaterial material = sampleMaterial();
     material.strut.passes = 4;
-    plan_ = planPrint("random grid", randomGrid({6, 5, 2}, -0.1, 0.42, GetParam()), samplePrinter(),
-                      material, {.enlargement = 1.0});
+    plan_ = planPrint("random grid", randomGrid({4, 4, 2}, -0.1, 0.42, GetParam()), samplePrinter(),
+                      material, {.scale = 13, .enlargement = 1.0});
     for (int tier = 0; tier < 2; ++tier) {
       gcode_.push_back(writeTier(plan_, tier, false));
       read_.push_back(readGcode(gcode_.back().text));
@@ -187,9 +187,9 @@ TEST_P(RoundTrip, HeightsAreThoseOfThePlan) {
   }
 }
 
-TEST_P(RoundTrip, ProgressRunsFromNothingToAll) {
+TEST_P(RoundTrip, ProgressRunsToTheEnd) {
   for (const ReadGcode& read : read_) {
-    EXPECT_EQ(read.progress.front(), 0);
+    EXPECT_LT(read.progress.front(), 5);  // The nozzle has been filled.
     EXPECT_EQ(read.progress.back(), 100);
     EXPECT_TRUE(std::is_sorted(read.progress.begin(), read.progress.end()));
     EXPECT_EQ(read.progress.size(), read.passHeights.size() + 1);
@@ -211,7 +211,7 @@ TEST(WriteTier, SpeaksThePrintersFlavour) {
   EXPECT_THAT(writeTier(smallPlan(Flavour::rrf), 0, false).text, HasSubstr("\nM204 P1000 T2000\n"));
   const std::string klipper = writeTier(smallPlan(Flavour::klipper), 0, false).text;
   EXPECT_THAT(klipper, HasSubstr("\nM204 S1000\n"));
-  EXPECT_THAT(klipper, HasSubstr("; two_cells_ _, tier 1 of 2, from the bottom\n"));
+  EXPECT_THAT(klipper, HasSubstr("; two_cells, _, tier 1 of 2, from the bottom\n"));
   EXPECT_THAT(klipper, HasSubstr("One laboratory, one filament, one printer"));
   EXPECT_THAT(klipper, HasSubstr("M140 S55\n"));
   EXPECT_THAT(klipper, testing::Not(HasSubstr("{")));
