@@ -47,10 +47,12 @@ std::vector<std::string> unknownPlaceholders(const std::string& text,
 }
 
 std::string fillTemplate(const std::string& text, const TemplateValues& values) {
-  return replacePlaceholders(text, [&](const std::string& name) {
+  std::string filled = replacePlaceholders(text, [&](const std::string& name) {
     const auto value = values.find(name);
     return value == values.end() ? '{' + name + '}' : value->second;
   });
+  while (!filled.empty() && filled.back() == '\n') filled.pop_back();
+  return filled;
 }
 
 }  // namespace morphgrid

@@ -16,7 +16,8 @@ const std::vector<std::string>& templateNames();
 std::vector<std::string> unknownPlaceholders(const std::string& text,
                                              const std::vector<std::string>& known);
 
-/// The text with its placeholders replaced; those that are not known stay.
+/// The text with its placeholders replaced, without line breaks at its end; placeholders that are
+/// not known stay.
 std::string fillTemplate(const std::string& text, const TemplateValues& values);
 
 }  // namespace morphgrid

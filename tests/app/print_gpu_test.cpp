@@ -24,9 +24,9 @@ class PrintCommand : public testing::Test {
   std::string path(const std::string& name) const { return folder_ / name; }
 
   ProcessResult print(const std::string& what, const Arguments& more = {}) const {
-    Arguments arguments{"print", path(what), "--printer",
-                        sourceFolder() / "printers/prusa_mk4.toml", "--material",
-                        sourceFolder() / "materials/pla_0.08.toml"};
+    Arguments arguments{"print",      path(what),
+                        "--printer",  sourceFolder() / "printers/prusa_mk4.toml",
+                        "--material", sourceFolder() / "materials/pla_0.08.toml"};
     arguments.insert(arguments.end(), more.begin(), more.end());
     return runMorphgrid(arguments);
   }
@@ -81,7 +81,8 @@ TEST_F(PrintCommand, RefusalsWriteNothing) {
   refused({"--scale", "60"}, "the sheet does not fit 250 x 210 mm: at most ");
   refused({"--scale", "4"}, "struts are too short for hubs of 3.66 mm at 4 mm per unit");
   refused({"--scale", "-4"}, "--scale");
-  refused({"--pin", "40"}, "struts are too short");
+  refused({"--pin", "20"}, "struts are too short");
+  refused({"--pin", "40"}, "--pin");
   const ProcessResult unread = runMorphgrid({"print", path("dome.toml"), "--printer",
                                              path("none.toml"), "--material", path("none.toml")});
   EXPECT_EQ(unread.exitCode, 2);

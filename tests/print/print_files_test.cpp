@@ -92,7 +92,7 @@ TEST(PrintFiles, WhatIsWrongWithAMaterialIsTold) {
 }
 
 TEST(GcodeTemplate, FillsWordsInBraces) {
-  EXPECT_EQ(fillTemplate("M140 S{bed}\n{x 1} {A} {}{bed", {{"bed", "60"}}),
+  EXPECT_EQ(fillTemplate("M140 S{bed}\n{x 1} {A} {}{bed\n", {{"bed", "60"}}),
             "M140 S60\n{x 1} {A} {}{bed");
   EXPECT_EQ(unknownPlaceholders("{a}{b}{a}{bed}", {"bed"}), (std::vector<std::string>{"a", "b"}));
 }
