@@ -32,6 +32,7 @@ RunContext contextFor(Scene& scene, const SceneDesign& designed, const PrintOpti
 PrintOutcome print(const Scene& scene, const SceneDesign& designed, Simulation simulation,
                    RunContext& context, const PrintTools& tools, const PrintOptions& options) {
   const StrutGrid& grid = simulation.stage.grid;
+  simulation.stage.onDevice.reset();  // Its memory is for what is laid.
   PrintRecord record{
       .plan = planPrint(scene.name, grid, tools.printer, tools.material, options.request)};
   context.attempt([&] {

@@ -17,6 +17,7 @@ constexpr double kLargestDigit = 2.5;  // Width of a digit, mm; it is twice as h
 constexpr double kLeastDigit = 1.0;
 constexpr double kDigitStep = 1.6;   // From digit to digit, in widths.
 constexpr double kUnderline = -0.6;  // Where the line below them is, in widths.
+constexpr double kLead = 0.6;        // By how much it begins before them.
 
 /// Of seven segments, as strokes in a box of 1 x 2, from its lower left.
 const std::vector<std::vector<Vector2d>>& digitStrokes(char digit) {
@@ -51,10 +52,10 @@ Strokes textIn(const CellCorners& cell, const std::string& text, double size) {
   const double width = kDigitStep * (static_cast<double>(text.size()) - 1) + 1;
   const Vector2d middle = (cell[0] + cell[1] + cell[2] + cell[3]) / 4;
   const auto at = [&](double x, double y) -> Vector2d {
-    return middle + size * ((x - width / 2) * along + (y - 1 - kUnderline / 2) * up);
+    return middle + size * ((x + (kLead - width) / 2) * along + (y - 1 - kUnderline / 2) * up);
   };
-  const Vector2d onDiagonal = middle - size * width / 2 * along;
-  Strokes strokes{{onDiagonal, at(0, kUnderline), at(width, kUnderline)}};
+  const Vector2d onDiagonal = middle - size * (kLead + width) / 2 * along;
+  Strokes strokes{{onDiagonal, at(-kLead, kUnderline), at(width, kUnderline)}};
   for (std::size_t n = 0; n < text.size(); ++n) {
     const double left = kDigitStep * static_cast<double>(n);
     strokes.push_back({at(left + 1, kUnderline), at(left + 1, 0)});
