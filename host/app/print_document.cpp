@@ -18,7 +18,7 @@ std::string withTables(std::string document, const char* file,
   for (const TomlKeySection<Record>& section : sections) {
     const std::string where =
         section.name.empty() ? std::string(file) : fmt::format("{}: [{}]", file, section.name);
-    document = withBlock(document, "keys of " + where, tables.table(section.keys));
+    document = withBlock(document, fmt::format("keys of {}", where), tables.table(section.keys));
   }
   return document;
 }

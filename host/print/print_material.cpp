@@ -142,7 +142,7 @@ MaterialSection tubeKeys() {
 
 void checkMaterial(TomlReader& reader, const Material& material) {
   TomlSection strut = reader.section("strut");
-  const auto refuse = [&](TomlSection section, const char* key, const std::string& must) {
+  const auto refuse = [&](const TomlSection& section, const char* key, const std::string& must) {
     reader.problems.add(section.place(key), section.fullName(key) + " must " + must);
   };
   if (material.strut.lines % 2 == 0) {

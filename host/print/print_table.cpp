@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "print/print_record.h"
 
@@ -66,7 +67,7 @@ void addRange(PrintRows& rows, const PrintPlan& plan) {
 }
 
 std::string hours(double seconds) {
-  const auto minutes = static_cast<int>(seconds / 60 + 0.5);
+  const long minutes = std::lround(seconds / 60);
   return fmt::format("{} h {:02}", minutes / 60, minutes % 60);
 }
 

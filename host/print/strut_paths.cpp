@@ -32,7 +32,7 @@ StrutFrame strutFrameOf(const PrintPlan& plan, const StrutPass& pass) {
   frame.along = (pass.to - pass.from).normalized();
   frame.left = {-frame.along.y(), frame.along.x()};
   frame.pitch = plan.strutBead(pass.height).pitch();
-  frame.half = (plan.material.strut.lines - 1) / 2 * frame.pitch;
+  frame.half = (plan.material.strut.lines - 1) / 2.0 * frame.pitch;
   return frame;
 }
 

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <cmath>
 #include <set>
 
 #include "print/assembly_page.h"
@@ -33,7 +34,7 @@ std::string shareColour(double share) {
   constexpr double kAcross[] = {47, 108, 190};
   constexpr double kAlong[] = {214, 60, 40};
   const auto part = [&](int n) {
-    return static_cast<int>(kAcross[n] + share * (kAlong[n] - kAcross[n]) + 0.5);
+    return std::lround(kAcross[n] + share * (kAlong[n] - kAcross[n]));
   };
   return fmt::format("#{:02x}{:02x}{:02x}", part(0), part(1), part(2));
 }
