@@ -23,11 +23,12 @@ Examples:
   morphgrid check scenes/patch.toml --set grid.layer_spacing=30
   morphgrid figures scenes/egg_chair.toml --animation egg_chair.webp
   morphgrid figures out/egg_chair
+  morphgrid print out/egg_chair --printer printers/prusa_mk4.toml --material materials/pla_0.08.toml
   morphgrid view scenes/egg_chair.toml
   morphgrid view out/egg_chair
   morphgrid devices
 
-Exit codes: 0 converged, 2 bad input, 3 not converged (results written),
+Exit codes: 0 converged, 2 bad input, 3 not converged, or not printable (results written),
             4 device failure or out of memory (what was solved before it is written),
             5 standard output could not be written (files are complete),
             130 interrupted (results written, if the solver had begun))";
@@ -49,6 +50,7 @@ int parseAndRun(int argc, char** argv) {
   addRunCommand(app, action);
   addCheckCommand(app, action);
   addFiguresCommand(app, action);
+  addPrintCommand(app, action);
   addViewCommand(app, action);
   addDevicesCommand(app, action);
   try {

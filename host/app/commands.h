@@ -17,6 +17,7 @@ void addNewCommand(CLI::App& app, Action& action);
 void addRunCommand(CLI::App& app, Action& action);
 void addCheckCommand(CLI::App& app, Action& action);
 void addFiguresCommand(CLI::App& app, Action& action);
+void addPrintCommand(CLI::App& app, Action& action);
 void addViewCommand(CLI::App& app, Action& action);
 void addDevicesCommand(CLI::App& app, Action& action);
 

@@ -57,17 +57,26 @@ class TomlKeyReader {
   Record& record_;
 };
 
+/// Puts into a record what sections hold; what is wrong or missing goes to the reader.
+template <typename Record>
+void readSections(TomlReader& reader, const std::vector<TomlKeySection<Record>>& sections,
+                  Record& record) {
+  for (const TomlKeySection<Record>& keys : sections) {
+    TomlSection section = keys.name.empty() ? reader.root() : reader.section(keys.name);
+    TomlKeyReader<Record> values(reader, section, record);
+    for (const TomlKey<Record>& key : keys.keys) {
+      values.read(key);
+      if (key.isRequired) section.require(key.name);
+    }
+  }
+}
+
 /// Reads a file whose keys all stand at the top level. Throws InputError with every problem,
 /// unknown keys among them, as `file:line:column: ...`, one a line.
 template <typename Record>
 Record readTopLevel(TomlReader& reader, const std::vector<TomlKey<Record>>& keys) {
   Record record{};
-  TomlSection root = reader.root();
-  TomlKeyReader<Record> values(reader, root, record);
-  for (const TomlKey<Record>& key : keys) {
-    values.read(key);
-    if (key.isRequired) root.require(key.name);
-  }
+  readSections(reader, {TomlKeySection<Record>{"", keys}}, record);
   reader.reportUnknownKeys();
   reader.problems.throwIfAny();
   return record;
