@@ -32,7 +32,7 @@ std::optional<LaidShape> simulateLaid(const Scene& scene,
                    .laidRmsPercent = asLaid.rmsPercent,
                    .laidMaxPercent = asLaid.maxPercent,
                    .isConverged = laid.converged};
-  const auto fromFlat = checkFromFlat(solver, laid, goal, options, nullptr);
+  const auto fromFlat = checkFromFlat(solver, laid, goal, options, nullptr, {});
   if (!fromFlat) return std::nullopt;
   result.fromFlatRmsPercent = fromFlat->rmsPercent;
   result.endsThereFromFlat = fromFlat->sameEquilibrium;
