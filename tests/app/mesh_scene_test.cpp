@@ -146,7 +146,7 @@ TEST(MeshScene, WithoutABoxSuggestsOne) {
 TEST(MeshScene, APartOfABoxIsNotEnough) {
   EXPECT_EQ(
       MeshSceneFiles(heightFieldObj(dome), "u_start = -1\nu_length = 2\nv_length = 2\n").problems(),
-      "scene.toml:1:1: surface.v_start is missing: it must be a finite number");
+      "scene.toml:1:1: surface.v_start is missing: it must be a number >= -1e+15 and <= 1e+15");
 }
 
 TEST(MeshScene, HolesStopTheRunUnlessFilled) {

@@ -93,7 +93,7 @@ TEST(ReadPatch, ReportsPointsTooFarAway) {
   const auto withCorner = [](const char* x) {
     return patchOf("[[" + std::string(x) + ", 0, 0], [1, 0, 1], [2, 0, 1], [3, 0, 0]],\n");
   };
-  EXPECT_EQ(problemsOf(withCorner("1e15")), "");
+  EXPECT_EQ(problemsOf(withCorner("1e3")), "");
   for (const char* x : {"1e+17", "-1e+30", "1e+300"}) {
     EXPECT_EQ(problemsOf(withCorner(x)),
               "p.toml:1:18: control_points: control point (row 0, column 0): each coordinate must "
