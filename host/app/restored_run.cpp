@@ -51,22 +51,21 @@ RestoredRun restoreRun(const std::filesystem::path& file) {
                   .designed = designOf(state),
                   .simulation = {},
                   .inPlane = {},
-                  .stacked = {},
                   .sampling = std::move(state.sampling)};
   const Scene& scene = run.scene;
   const GridDesign& design = run.designed.design;
   state.record.published = scene.published;
   run.inPlane = inPlaneGrid(design, scene.weights, scene.scaling);
-  run.stacked = design.layers == 1
-                    ? run.inPlane
-                    : stackedGrid(design, scene.weights, scene.scaling,
-                                  state.record.printScale * state.record.inPlane->positions);
+  StrutGrid stacked = design.layers == 1
+                          ? run.inPlane
+                          : stackedGrid(design, scene.weights, scene.scaling,
+                                        state.record.printScale * state.record.inPlane->positions);
   if (design.layers > 1) {
-    applyMaterial(run.stacked, scene.material);
+    applyMaterial(stacked, scene.material);
   }
   Stage stage = lastStage(state);
-  stage.grid.bars = run.stacked.bars;
-  stage.grid.printedCorners = run.stacked.printedCorners;
+  stage.grid.bars = stacked.bars;
+  stage.grid.printedCorners = stacked.printedCorners;
   Equilibrium& last = stage.equilibrium;
   if (last.rotations.cols() == 0) {
     last.rotations = turnWithBars(stage.grid, last.positions);
@@ -87,7 +86,7 @@ void drawAgain(RestoredRun& run, RunContext& context) {
     inPlane.uploadPositions(record.inPlane->positions);
     pictures.drawInPlane(inPlane, record.inPlane->positions);
     if (record.full) {
-      pictures.drawStacked(DeviceGrid(*context.device, run.stacked), run.stacked.positions);
+      pictures.drawStacked(DeviceGrid(*context.device, stage.grid), stage.grid.positions);
       pictures.drawShrink(stage.grid, run.scene.design.maxShrinkage);
     }
     stage.onDevice = std::make_shared<DeviceGrid>(*context.device, stage.grid);

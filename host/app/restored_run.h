@@ -13,7 +13,6 @@ struct RestoredRun {
   SceneDesign designed;
   Simulation simulation;  ///< Nothing is on the device.
   StrutGrid inPlane;      ///< The grid of the stage in the plane.
-  StrutGrid stacked;      ///< Before inverse design changed it; of one layer the same as inPlane.
   std::optional<MeshSampling> sampling;
 };
 

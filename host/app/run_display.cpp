@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <optional>
+
 #include "app/scene_knobs.h"
 #include "core/intrinsic_diagonal.h"
 #include "core/rigid_alignment.h"
@@ -273,7 +275,14 @@ void RunDisplay::showEnd(const Simulation& simulation) {
   live_.rotations = shared(stage.equilibrium.rotations);
   live_.worldFromGrid = simulation.targetFromGrid;
   stage.onDevice->uploadPositions(positions, stage.equilibrium.rotations);
-  board_.post([&](Snapshot& next) { putEnd(simulation, live_, next); });
+  std::optional<ShownGrid> printed;
+  if (simulation.record.inverse) {
+    printed = placed(stage.grid, stage.grid.positions);
+  }
+  board_.post([&](Snapshot& next) {
+    if (printed) slotOf(ShownStage::stacked, next) = *printed;
+    putEnd(simulation, live_, next);
+  });
 }
 
 void RunDisplay::showStored(const RestoredRun& run) {
@@ -283,7 +292,7 @@ void RunDisplay::showStored(const RestoredRun& run) {
   meanLength_ = meanRestOf(run.designed.design);
   const ShownGrid initial = placed(run.inPlane, run.inPlane.positions);
   const ShownGrid inPlane = placed(run.inPlane, record.inPlane->positions);
-  const ShownGrid stacked = placed(run.stacked, run.stacked.positions);
+  const ShownGrid stacked = placed(stage.grid, stage.grid.positions);
   ShownGrid end = placed(stage.grid, stage.equilibrium.positions, stage.equilibrium.rotations);
   end.worldFromGrid = run.simulation.targetFromGrid;
   board_.post([&](Snapshot& next) {

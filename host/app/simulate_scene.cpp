@@ -156,6 +156,9 @@ Simulation simulateScene(const Scene& scene, const SceneDesign& designed, RunCon
   const Eigen::Isometry3d targetFromGrid = alignResult(stage, designed.targets);
   context.draw([&](Pictures& pictures) {
     pictures.drawResult(*stage.onDevice, positions, targetFromGrid, designed.targets);
+    if (record.inverse) {  // Drawn before with the lengths that it began with.
+      pictures.drawStacked(DeviceGrid(*context.device, stage.grid), stage.grid.positions);
+    }
     if (record.full) {
       pictures.drawShrink(stage.grid, scene.design.maxShrinkage);
     }

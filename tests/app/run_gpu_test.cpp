@@ -6,6 +6,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "core/read_file.h"
 #include "tests/app/subprocess.h"
 #include "tests/support/folders.h"
 #include "tests/support/temporary_folder.h"
@@ -56,6 +57,22 @@ TEST_F(Run, LeavesReportPicturesAndFiles) {
   EXPECT_GT(json["feasibility"]["close_struts"]["count"], 0) << "the layers' spacing is 0.3";
   EXPECT_LE(json["distance_to_target"]["closest_point_rms_percent"].get<double>(),
             json["distance_to_target"]["rms_percent"].get<double>());
+}
+
+/// As printed, the sheet is the same with and without; which struts are to shrink is not.
+TEST_F(Run, StackedLayersAreDrawnWithTheLengthsThatInverseDesignLeaves) {
+  const auto runWith = [&](const std::string& folder, const char* rounds) {
+    const ProcessResult run =
+        runMorphgrid({"run", sceneFile("egg_chair"), "--out", folder, "--quiet", "--set",
+                      "grid.nodes_long=6", "--set", std::string("design.compensate=") + rounds,
+                      "--set", "output.width=200", "--set", "output.height=150"});
+    EXPECT_EQ(run.exitCode, 0) << run.output;
+    return readFile(folder + "/stacked.png");
+  };
+  const std::string designed = runWith(folder_ / "designed", "0");
+  const std::string corrected = runWith(out(), "2");
+  ASSERT_GT(report()["inverse_design"]["steps"].size(), 0);
+  EXPECT_NE(corrected, designed);
 }
 
 TEST_F(Run, WeldedBarsComeToRestAlikeByBothMethods) {
