@@ -60,8 +60,8 @@ RayHits MeshSampler::cast(int countU, int countV, const RayHits& samples) {
   RayHits hits = castAndFill(countU, countV);
   for (int ray = 0; rays_.fillHoles > 0 && ray < static_cast<int>(hits.hit.size()); ++ray) {
     if (hits.hit[ray]) continue;
-    const Eigen::Vector2d place(double(ray % countU) / (countU - 1),
-                                double(ray / countU) / (countV - 1));
+    const int row = ray / countU;
+    const Eigen::Vector2d place(double(ray % countU) / (countU - 1), double(row) / (countV - 1));
     hits.points(0, ray) = interpolateX(samples, place);
     hits.hit[ray] = 1;
   }
