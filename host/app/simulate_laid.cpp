@@ -26,7 +26,8 @@ std::optional<LaidShape> simulateLaid(const Scene& scene,
   if (options.stopRequested()) return std::nullopt;
   const ShapeError asDesigned = computeShapeError(shape, end.positions, goal);
   const ShapeError asLaid = computeShapeError(shape, laid.positions, goal);
-  LaidShape result{.hasTarget = targets.has_value(),
+  LaidShape result{.model = nameOf(scene.material.model),
+                   .hasTarget = targets.has_value(),
                    .designRmsPercent = asDesigned.rmsPercent,
                    .designMaxPercent = asDesigned.maxPercent,
                    .laidRmsPercent = asLaid.rmsPercent,

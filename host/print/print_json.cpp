@@ -77,6 +77,7 @@ ordered_json tierJson(const TierFigures& tier) {
 ordered_json shapeJson(const std::optional<LaidShape>& shape) {
   if (!shape) return nullptr;
   return {
+      {"model", shape->model},
       {"to", shape->hasTarget ? "target" : "design"},
       {"design_rms_percent", shape->designRmsPercent},
       {"design_max_percent", shape->designMaxPercent},

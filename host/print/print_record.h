@@ -12,6 +12,7 @@ namespace morphgrid {
 /// layer to the target, or where there is none to where the design ends, in percent of the
 /// diagonal.
 struct LaidShape {
+  std::string model;  ///< What judged the distances, as material.model says it.
   bool hasTarget = false;
   double designRmsPercent = 0, designMaxPercent = 0;
   double laidRmsPercent = 0, laidMaxPercent = 0;

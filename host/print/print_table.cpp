@@ -87,8 +87,8 @@ void addTiers(PrintRows& rows, const PrintRecord& record) {
 }
 
 void addShape(PrintRows& rows, const LaidShape& shape) {
-  rows.row(shape.hasTarget ? "distance to the target" : "distance to design's end", "{}",
-           "RMS / max");
+  rows.row(shape.hasTarget ? "distance to the target" : "distance to design's end",
+           "RMS / max, by the model {}", shape.model);
   rows.row("  as designed", "{:.3g} / {:.3g} %", shape.designRmsPercent, shape.designMaxPercent);
   rows.row("  as laid", "{:.3g} / {:.3g} %", shape.laidRmsPercent, shape.laidMaxPercent);
   if (shape.fromFlatRmsPercent) {

@@ -49,6 +49,7 @@ TEST_F(PrintCommand, LeavesGcodeForEveryTier) {
   EXPECT_EQ(report["tiers"].size(), 3u);
   EXPECT_TRUE(report["printable"]);
   EXPECT_EQ(report["distance"]["to"], "design");
+  EXPECT_EQ(report["distance"]["model"], "paper");
   EXPECT_LT(report["distance"]["laid_rms_percent"], 1);
   EXPECT_TRUE(report["distance"]["same_equilibrium_from_flat"]);
 
