@@ -3,6 +3,7 @@
 #include <array>
 
 #include "energy/frame_energy.h"
+#include "export/repeat_triangles.h"
 #include "grid/bar_section.h"
 
 namespace morphgrid {
@@ -106,13 +107,7 @@ Eigen::Matrix3Xd barVertices(const StrutGrid& grid, const Eigen::Matrix3Xd& posi
 }
 
 Eigen::Matrix3Xi barTriangles(const GridShape& shape) {
-  const Eigen::Matrix3Xi ofBar = trianglesOfBar();
-  Eigen::Matrix3Xi triangles(3, kBarMeshTriangles * Eigen::Index{shape.strutCount()});
-  for (int bar = 0; bar < shape.strutCount(); ++bar) {
-    triangles.middleCols<kBarMeshTriangles>(kBarMeshTriangles * Eigen::Index{bar}) =
-        ofBar.array() + kBarMeshVertices * bar;
-  }
-  return triangles;
+  return repeatTriangles(trianglesOfBar(), kBarMeshVertices, shape.strutCount());
 }
 
 }  // namespace morphgrid

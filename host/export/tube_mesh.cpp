@@ -3,6 +3,8 @@
 #include <Eigen/Geometry>
 #include <numbers>
 
+#include "export/repeat_triangles.h"
+
 namespace morphgrid {
 namespace {
 
@@ -63,13 +65,7 @@ Eigen::Matrix3Xd tubeVertices(const StrutGrid& grid, const Eigen::Matrix3Xd& pos
 }
 
 Eigen::Matrix3Xi tubeTriangles(const GridShape& shape) {
-  const Eigen::Matrix3Xi ofTube = trianglesOfTube();
-  Eigen::Matrix3Xi triangles(3, kTubeMeshTriangles * Eigen::Index{shape.strutCount()});
-  for (int tube = 0; tube < shape.strutCount(); ++tube) {
-    triangles.middleCols<kTubeMeshTriangles>(kTubeMeshTriangles * Eigen::Index{tube}) =
-        ofTube.array() + kTubeMeshVertices * tube;
-  }
-  return triangles;
+  return repeatTriangles(trianglesOfTube(), kTubeMeshVertices, shape.strutCount());
 }
 
 }  // namespace morphgrid
