@@ -203,6 +203,7 @@ void LiveRun::showStored() {
   display_.showStored(run);
   startNear(run.simulation);
   result_ = run.simulation;
+  targets_ = run.designed.targets;
 }
 
 void LiveRun::startNear(const Simulation& simulation) {
@@ -260,6 +261,7 @@ void LiveRun::simulate(Scene scene, const SceneDesign& designed, Start start) {
   startNear(simulation);
   display_.showEnd(simulation);
   result_ = std::move(simulation);
+  targets_ = designed.targets;
 }
 
 /// What loadScene() is about to read. Where that fails, the files of before are still of interest.
@@ -284,7 +286,7 @@ void LiveRun::writeFiles() {
   }
   try {
     std::filesystem::create_directories(options_.outputFolder);
-    morphgrid::exportFiles(result_->stage, result_->targetFromGrid, files_, options_.outputFolder);
+    morphgrid::exportFiles(*result_, targets_, files_, options_.outputFolder);
     tell(fmt::format("files exported to {}", options_.outputFolder.string()));
   } catch (const std::exception& error) {
     tell(error.what());

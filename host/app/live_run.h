@@ -92,6 +92,7 @@ class LiveRun final : public Session {
   bool solversDoInverseDesign_ = false;
   Eigen::Matrix3Xd lastInPlane_, lastFull_;
   std::optional<Simulation> result_;
+  std::optional<Eigen::Matrix3Xd> targets_;  ///< Of the result.
   FileChoices files_;
 
   std::thread worker_;  ///< Last: it uses all of the above.

@@ -48,17 +48,19 @@ CheckpointKeeper checkpointKeeper(const Scene& scene, const SceneDesign& designe
 
 }  // namespace
 
-void exportFiles(const Stage& stage, const Eigen::Isometry3d& targetFromGrid,
+void exportFiles(const Simulation& result, const std::optional<Eigen::Matrix3Xd>& targets,
                  const FileChoices& choices, const std::filesystem::path& folder) {
+  const Stage& stage = result.stage;
   const GridShape& shape = stage.grid.shape;
-  const Eigen::Matrix3Xd positions = targetFromGrid * stage.equilibrium.positions;
-  const JointRotations rotations = moveJoints(targetFromGrid, stage.equilibrium.rotations);
+  const Eigen::Matrix3Xd positions = result.targetFromGrid * stage.equilibrium.positions;
+  const JointRotations rotations = moveJoints(result.targetFromGrid, stage.equilibrium.rotations);
   const SurfaceMesh surface = tessellate(shape, middleLayer(shape, positions), kSurfaceRefinement);
   if (choices.gltf) {
     exportGltf(folder / "warped.glb", stage.grid, positions, surface, rotations);
   }
   if (choices.vtu) {
     exportVtu(folder / "warped.vtu", stage.grid, positions, rotations);
+    exportPrintedVtu(folder / "printed.vtu", stage.grid, positions, targets);
   }
   if (choices.ply) {
     exportPly(folder / "surface.ply", surface);
@@ -116,7 +118,7 @@ RunRecord runScene(const Scene& scene, const RunOptions& options) {
     writeState(folder / kStateFile, stateOf(scene, designed, simulation));
   }
   // Last: the files of a large grid may exceed what their formats or the disk hold.
-  exportFiles(simulation.stage, simulation.targetFromGrid, scene.files, folder);
+  exportFiles(simulation, designed.targets, scene.files, folder);
   return std::move(record);
 }
 

@@ -2,7 +2,7 @@
 #include <filesystem>
 
 #include "app/checkpoint_keeper.h"
-#include "app/stages.h"
+#include "app/simulate_scene.h"
 #include "gpu/device.h"
 
 namespace morphgrid {
@@ -15,8 +15,9 @@ struct RunOptions {
   std::filesystem::path resumeFrom;  ///< A checkpoint; empty: the run starts anew.
 };
 
-/// Writes the chosen files of a result into a folder. Throws InputError when the disk refuses.
-void exportFiles(const Stage& stage, const Eigen::Isometry3d& targetFromGrid,
+/// Writes the chosen files of a result into a folder. targets: see SceneDesign. Throws InputError
+/// when the disk refuses.
+void exportFiles(const Simulation& result, const std::optional<Eigen::Matrix3Xd>& targets,
                  const FileChoices& choices, const std::filesystem::path& folder);
 
 /// Reads nothing, solves nothing: measures and designs.

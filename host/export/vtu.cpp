@@ -7,12 +7,14 @@
 #include <vtkDoubleArray.h>
 #include <vtkIntArray.h>
 #include <vtkNew.h>
+#include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkUnstructuredGrid.h>
 #include <vtkXMLUnstructuredGridWriter.h>
 
 #include <algorithm>
 #include <cassert>
+#include <limits>
 #include <vector>
 
 #include "core/atomic_file.h"
@@ -24,14 +26,24 @@
 namespace morphgrid {
 namespace {
 
+vtkNew<vtkDoubleArray> pointArray(const Eigen::Matrix3Xd& values) {
+  vtkNew<vtkDoubleArray> array;
+  array->SetNumberOfComponents(3);
+  array->SetNumberOfTuples(values.cols());
+  std::copy_n(values.data(), values.size(), array->GetPointer(0));
+  return array;
+}
+
 void setPoints(vtkUnstructuredGrid& target, const Eigen::Matrix3Xd& positions) {
-  vtkNew<vtkDoubleArray> coordinates;
-  coordinates->SetNumberOfComponents(3);
-  coordinates->SetNumberOfTuples(positions.cols());
-  std::copy_n(positions.data(), positions.size(), coordinates->GetPointer(0));
   vtkNew<vtkPoints> points;
-  points->SetData(coordinates);
+  points->SetData(pointArray(positions));
   target.SetPoints(points);
+}
+
+void addPointArray(vtkUnstructuredGrid& target, const char* name, const Eigen::Matrix3Xd& values) {
+  const vtkNew<vtkDoubleArray> array = pointArray(values);
+  array->SetName(name);
+  target.GetPointData()->AddArray(array);
 }
 
 void setLines(vtkUnstructuredGrid& target, const GridShape& shape) {
@@ -50,6 +62,18 @@ void addCellArray(vtkUnstructuredGrid& target, const char* name, const GridShape
   vtkIdType n = 0;
   forEachStrut(shape, [&](const Strut& strut) { values->SetValue(n++, valueOf(strut)); });
   target.GetCellData()->AddArray(values);
+}
+
+void addRestLengths(vtkUnstructuredGrid& target, const StrutGrid& grid) {
+  addCellArray<vtkDoubleArray>(target, "rest_length", grid.shape,
+                               [&](const Strut& strut) { return valueAt(grid.rest, strut); });
+}
+
+void addPlaces(vtkUnstructuredGrid& target, const GridShape& shape) {
+  addCellArray<vtkIntArray>(target, "layer", shape,
+                            [&](const Strut& strut) { return strut.layer; });
+  addCellArray<vtkIntArray>(target, "direction", shape,
+                            [&](const Strut& strut) { return static_cast<int>(strut.direction); });
 }
 
 void addBarArrays(vtkUnstructuredGrid& target, const StrutGrid& grid, const FramePlacement& place) {
@@ -79,18 +103,36 @@ void fill(vtkUnstructuredGrid& target, const StrutGrid& grid, const Eigen::Matri
   addCellArray<vtkDoubleArray>(target, "strain", shape, [&](const Strut& strut) {
     return strainAt(grid, positions, strut);
   });
-  addCellArray<vtkDoubleArray>(target, "rest_length", shape,
-                               [&](const Strut& strut) { return valueAt(grid.rest, strut); });
+  addRestLengths(target, grid);
   addCellArray<vtkDoubleArray>(target, "shrink", shape,
                                [&](const Strut& strut) { return valueAt(shrinks, strut); });
-  addCellArray<vtkIntArray>(target, "layer", shape,
-                            [&](const Strut& strut) { return strut.layer; });
-  addCellArray<vtkIntArray>(target, "direction", shape,
-                            [&](const Strut& strut) { return static_cast<int>(strut.direction); });
+  addPlaces(target, shape);
   if (grid.bars) {
     addBarArrays(target, grid, {positions, rotations});
   }
   target.GetCellData()->SetActiveScalars("strain");
+}
+
+/// 3 x vertexCount: NaN but for the layers that stand for the surface, see middleLayer().
+Eigen::Matrix3Xd targetsOf(const GridShape& shape, const std::optional<Eigen::Matrix3Xd>& targets) {
+  Eigen::Matrix3Xd points =
+      Eigen::Matrix3Xd::Constant(3, shape.vertexCount(), std::numeric_limits<double>::quiet_NaN());
+  if (targets) {
+    layerOf(shape, points, (shape.layers - 1) / 2) = *targets;
+    layerOf(shape, points, shape.layers / 2) = *targets;
+  }
+  return points;
+}
+
+void write(const std::filesystem::path& path, vtkUnstructuredGrid& grid) {
+  vtkNew<vtkXMLUnstructuredGridWriter> writer;
+  writer->SetInputData(&grid);
+  // Into memory: VTK's pipeline prints what the disk refuses, whoever listens to the writer.
+  writer->WriteToOutputStringOn();
+  if (writer->Write() == 0) {
+    throw InputError(fmt::format("{}: cannot be written: VTK ran out of memory", path.string()));
+  }
+  writeFileAtomically(path, writer->GetOutputString());
 }
 
 }  // namespace
@@ -101,14 +143,24 @@ void exportVtu(const std::filesystem::path& path, const StrutGrid& grid,
   assert(rotations.cols() == (grid.bars ? positions.cols() : 0));
   vtkNew<vtkUnstructuredGrid> target;
   fill(*target, grid, positions, rotations);
-  vtkNew<vtkXMLUnstructuredGridWriter> writer;
-  writer->SetInputData(target);
-  // Into memory: VTK's pipeline prints what the disk refuses, whoever listens to the writer.
-  writer->WriteToOutputStringOn();
-  if (writer->Write() == 0) {
-    throw InputError(fmt::format("{}: cannot be written: VTK ran out of memory", path.string()));
-  }
-  writeFileAtomically(path, writer->GetOutputString());
+  write(path, *target);
+}
+
+void exportPrintedVtu(const std::filesystem::path& path, const StrutGrid& grid,
+                      const Eigen::Matrix3Xd& morphed,
+                      const std::optional<Eigen::Matrix3Xd>& targets) {
+  assert(morphed.cols() == grid.shape.vertexCount());
+  assert(!targets || targets->cols() == grid.shape.layerVertexCount());
+  vtkNew<vtkUnstructuredGrid> sheet;
+  setPoints(*sheet, grid.positions);
+  setLines(*sheet, grid.shape);
+  addPointArray(*sheet, "morphed", morphed);
+  addPointArray(*sheet, "target", targetsOf(grid.shape, targets));
+  addRestLengths(*sheet, grid);
+  addCellArray<vtkDoubleArray>(*sheet, "printed_length", grid.shape,
+                               [&](const Strut& strut) { return lengthAt(grid.positions, strut); });
+  addPlaces(*sheet, grid.shape);
+  write(path, *sheet);
 }
 
 }  // namespace morphgrid

@@ -252,7 +252,8 @@ TEST_F(LiveSession, ExportsFiles) {
   awaitRest();
   session_->exportFiles();
   awaitMessage("files exported to ");
-  for (const char* file : {"warped.glb", "warped.vtu", "surface.ply", "surface.obj"}) {
+  for (const char* file :
+       {"warped.glb", "warped.vtu", "printed.vtu", "surface.ply", "surface.obj"}) {
     EXPECT_TRUE(std::filesystem::exists(folder_ / "exported" / file)) << file;
   }
 }

@@ -43,7 +43,7 @@ TEST_F(Run, LeavesReportPicturesAndFiles) {
   for (const char* file :
        {"report.json", "convergence.csv", "initial.png", "in_plane.png", "stacked.png",
         "shrink.png", "warped.png", "surface.png", "target.png", "distance.png", "warped.glb",
-        "warped.vtu", "surface.ply", "surface.obj"}) {
+        "warped.vtu", "printed.vtu", "surface.ply", "surface.obj"}) {
     EXPECT_TRUE(exists(file)) << file;
   }
   const auto json = report();

@@ -23,6 +23,10 @@ const Format kFormats[] = {
     {"glb", [](const auto& path,
                const ExportSample& s) { exportGltf(path, s.grid, s.positions, s.surface); }},
     {"vtu", [](const auto& path, const ExportSample& s) { exportVtu(path, s.grid, s.positions); }},
+    {"printed_vtu",
+     [](const auto& path, const ExportSample& s) {
+       exportPrintedVtu(path, s.grid, s.positions, std::nullopt);
+     }},
     {"ply", [](const auto& path, const ExportSample& s) { exportPly(path, s.surface); }},
     {"obj", [](const auto& path, const ExportSample& s) { exportObj(path, s.surface); }},
 };

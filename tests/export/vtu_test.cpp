@@ -6,6 +6,7 @@
 #include <vtkDataArray.h>
 #include <vtkIdList.h>
 #include <vtkNew.h>
+#include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkUnstructuredGrid.h>
 #include <vtkXMLUnstructuredGridReader.h>
@@ -124,6 +125,62 @@ TEST(FrameVtu, BarsKeepTheirState) {
   }
   const double whole = FrameEnergy(sample.grid).evaluate(sample.positions, sample.rotations).energy;
   EXPECT_NEAR(energy, whole, 1e-12 * whole);
+}
+
+class PrintedVtu : public testing::TestWithParam<GridShape> {
+ protected:
+  void write(const std::optional<Eigen::Matrix3Xd>& targets) {
+    const TemporaryFolder folder;
+    exportPrintedVtu(folder / "printed.vtu", sample.grid, sample.positions, targets);
+    reader->SetFileName((folder / "printed.vtu").c_str());
+    reader->Update();
+  }
+  vtkUnstructuredGrid& read() { return *reader->GetOutput(); }
+  Eigen::Vector3d pointOf(const char* name, int vertex) {
+    vtkDataArray* array = read().GetPointData()->GetArray(name);
+    EXPECT_EQ(array->GetDataType(), VTK_DOUBLE);
+    return Eigen::Vector3d(array->GetTuple3(vertex));
+  }
+
+  ExportSample sample = exportSample(GetParam());
+  vtkNew<vtkXMLUnstructuredGridReader> reader;
+};
+INSTANTIATE_TEST_SUITE_P(Shapes, PrintedVtu, testing::ValuesIn(kSampleShapes), shapeName);
+
+TEST_P(PrintedVtu, HasTheSheetItsShapeAndItsTarget) {
+  const GridShape& shape = GetParam();
+  const Eigen::Matrix3Xd targets = layerOf(shape, sample.positions, 0) * 1.5;
+  write(targets);
+  EXPECT_EQ(read().GetPoints()->GetDataType(), VTK_DOUBLE);
+  ASSERT_EQ(read().GetNumberOfPoints(), shape.vertexCount());
+  for (int n = 0; n < shape.vertexCount(); ++n) {
+    EXPECT_EQ(Eigen::Vector3d(read().GetPoint(n)), sample.grid.positions.col(n));
+    EXPECT_EQ(pointOf("morphed", n), sample.positions.col(n));
+    const int layer = n / shape.layerVertexCount();
+    const bool isMiddle =
+        2 * layer == shape.layers - 1 || 2 * layer == shape.layers || 2 * layer == shape.layers - 2;
+    if (isMiddle) {
+      EXPECT_EQ(pointOf("target", n), targets.col(shape.column(n)));
+    } else {
+      EXPECT_TRUE(pointOf("target", n).array().isNaN().all());
+    }
+  }
+}
+
+TEST_P(PrintedVtu, HasTheLengthsOfStruts) {
+  write(std::nullopt);
+  EXPECT_TRUE(pointOf("target", 0).array().isNaN().all());
+  const auto valueOf = [&](const char* name, std::size_t n) {
+    return read().GetCellData()->GetArray(name)->GetComponent(static_cast<vtkIdType>(n), 0);
+  };
+  const std::vector<Strut> struts = listStruts(GetParam());
+  ASSERT_EQ(read().GetNumberOfCells(), struts.size());
+  for (std::size_t n = 0; n < struts.size(); ++n) {
+    EXPECT_EQ(valueOf("rest_length", n), valueAt(sample.grid.rest, struts[n]));
+    EXPECT_EQ(valueOf("printed_length", n), lengthAt(sample.grid.positions, struts[n]));
+    EXPECT_EQ(valueOf("layer", n), struts[n].layer);
+    EXPECT_EQ(valueOf("direction", n), static_cast<int>(struts[n].direction));
+  }
 }
 
 TEST(FrameVtu, SpringsHaveNoBars) {
