@@ -7,9 +7,10 @@
 namespace morphgrid {
 namespace {
 
-constexpr double kLeastEnlargement = 0.8;
-constexpr double kLargestEnlargement = 1.3;
-constexpr double kEnlargementStep = 0.005;
+// Of enlargement, in steps of 1 / 200: 0.8 to 1.3.
+constexpr int kEnlargementSteps = 200;
+constexpr int kFirstEnlargement = 160;
+constexpr int kLastEnlargement = 260;
 /// A strut is out of range when more than this is missing, a share of its length.
 constexpr double kNoExcess = 1e-6;
 
@@ -84,12 +85,11 @@ std::vector<DesignedStrut> designedStruts(const StrutGrid& grid) {
 
 double bestEnlargement(const std::vector<DesignedStrut>& struts, const StrutLay& lay,
                        double scale) {
-  const int steps =
-      static_cast<int>(std::lround((kLargestEnlargement - kLeastEnlargement) / kEnlargementStep));
-  const auto enlargementAt = [](int step) { return kLeastEnlargement + step * kEnlargementStep; };
-  int best = 0;
-  auto bestRank = rankOf(struts, lay, scale, enlargementAt(0));
-  for (int step = 1; step <= steps; ++step) {
+  // A quotient, so that it is the number that its decimals say.
+  const auto enlargementAt = [](int step) { return step / double{kEnlargementSteps}; };
+  int best = kFirstEnlargement;
+  auto bestRank = rankOf(struts, lay, scale, enlargementAt(best));
+  for (int step = best + 1; step <= kLastEnlargement; ++step) {
     const auto rank = rankOf(struts, lay, scale, enlargementAt(step));
     if (rank < bestRank) {
       best = step;

@@ -22,6 +22,9 @@ struct PrintRequest {
   std::optional<int> passes;          ///< Instead of the material's.
 };
 
+/// Of the polygons that stand for circles.
+inline constexpr int kRingSides = 24;
+
 /// The rings at a vertex. Lengths in mm.
 struct HubShape {
   double hole = 0;                ///< Diameter.

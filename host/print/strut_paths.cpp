@@ -13,7 +13,6 @@ constexpr double kAnchor = 0.5;
 constexpr double kLap = 0.25;
 /// Zones at the ends are moved only where they stay longer than this, mm.
 constexpr double kRoomToShift = 1.5;
-constexpr int kRingSides = 24;
 
 /// Where a strut runs, and how its lines lie in it.
 struct StrutFrame {
@@ -104,11 +103,14 @@ double layZone(const PrintPlan& plan, const StrutPass& pass, const StrutZone& zo
 }
 
 void layRing(const Eigen::Vector2d& centre, double radius, double angle, PrintPath& path) {
+  constexpr double kStep = 2 * std::numbers::pi / kRingSides;
+  const double corners = radius / std::cos(kStep / 2);
   path.points.clear();
   for (int n = 0; n <= kRingSides; ++n) {
-    const double turn = angle + 2 * std::numbers::pi * n / kRingSides;
-    path.points.push_back(centre + radius * Eigen::Vector2d(std::cos(turn), std::sin(turn)));
+    const double turn = angle + n * kStep;
+    path.points.push_back(centre + corners * Eigen::Vector2d(std::cos(turn), std::sin(turn)));
   }
+  path.flow = kStep / 2 / std::tan(kStep / 2);
 }
 
 }  // namespace morphgrid

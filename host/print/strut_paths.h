@@ -43,7 +43,8 @@ void visitStrut(const PrintPlan& plan, const StrutPass& pass, PrintPath& path, V
   }
 }
 
-/// Writes a circle to a path, as a polygon of 24 sides that begins and ends at this angle.
+/// Writes a circle to a path, as a polygon of kRingSides that begins and ends at this angle: around
+/// the circle, so that it does not narrow the hole, and with the circle's volume.
 void layRing(const Eigen::Vector2d& centre, double radius, double angle, PrintPath& path);
 
 }  // namespace morphgrid

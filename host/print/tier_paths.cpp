@@ -117,7 +117,6 @@ class TierWalk {
     path_.kind = kind;
     path_.bead = plan_.strutBead(height);
     path_.speed = speed;
-    path_.flow = 1;
     path_.joins = false;
     const std::vector<double>& radii = plan_.hub.ringRadii;
     for (auto radius = radii.rbegin(); radius != radii.rend(); ++radius) {
