@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "core/error.h"
+#include "print/check_overlaps.h"
 
 namespace morphgrid {
 namespace {
@@ -69,15 +70,23 @@ void checkLengths(const PrintPlan& plan, const StrutGrid& grid, Reasons& reasons
 void checkAngles(const PrintPlan& plan, Reasons& reasons) {
   int count = 0;
   double needed = 0;
-  forEachCorner(plan.shape, [&](const Corner& corner) {
-    if (!corner.isLateral) return;
-    const Eigen::Vector2d apex = plan.positions.col(corner.apex);
-    const Eigen::Vector2d a = (plan.positions.col(corner.a) - apex).normalized();
-    const Eigen::Vector2d b = (plan.positions.col(corner.b) - apex).normalized();
+  const auto check = [&](int vertex, int toA, int toB) {
+    const Eigen::Vector2d apex = plan.positions.col(vertex);
+    const Eigen::Vector2d a = (plan.positions.col(toA) - apex).normalized();
+    const Eigen::Vector2d b = (plan.positions.col(toB) - apex).normalized();
     const double sine = std::sqrt(std::max(0.0, (1 - a.dot(b)) / 2));
     const double diameter = plan.strutWidth() / std::max(sine, 1e-6);
     count += diameter > plan.hub.diameter ? 1 : 0;
     needed = std::max(needed, diameter);
+  };
+  forEachCorner(plan.shape, [&](const Corner& corner) {
+    if (corner.isLateral) check(corner.apex, corner.a, corner.b);
+  });
+  forEachVertex(plan.shape, [&](const GridPlace& place) {  // Struts of one line, where it folds.
+    const int vertex = plan.shape.index(place);
+    const int row = plan.shape.verticesU;
+    if (place.i > 0 && place.i < plan.shape.cellsU()) check(vertex, vertex - 1, vertex + 1);
+    if (place.j > 0 && place.j < plan.shape.cellsV()) check(vertex, vertex - row, vertex + row);
   });
   if (count > 0) {
     reasons.push_back(fmt::format(
@@ -135,6 +144,9 @@ void requirePrintable(const PrintPlan& plan, const StrutGrid& grid) {
   checkLengths(plan, grid, reasons);
   checkAngles(plan, reasons);
   checkSpacing(plan, reasons);
+  if (const auto overlaps = findOverlaps(plan); overlaps && reasons.empty()) {
+    reasons.push_back(*overlaps);
+  }
   throwReasons(reasons);
 }
 

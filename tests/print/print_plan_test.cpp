@@ -82,6 +82,13 @@ TEST(PrintPlan, EnlargementMeetsTheRange) {
   }
 }
 
+TEST(PrintPlan, EnlargementIsTheNumberThatItsDecimalsSay) {
+  for (const double shrink : {-0.2, -0.1, 0.0, 0.1, 0.2, 0.3, 0.4}) {
+    const double enlargement = plan(flatGrid({6, 5, 2}, shrink)).enlargement;
+    EXPECT_EQ(enlargement, std::round(1000 * enlargement) / 1000);
+  }
+}
+
 TEST(PrintPlan, StrutsOutOfRangeAreCounted) {
   StrutGrid grid = flatGrid({6, 5, 2}, 0.2);
   grid.rest.u[0] = 0.4;
@@ -131,6 +138,15 @@ TEST(PrintPlan, RefusesWhatThePrinterCannotLay) {
   printer.height = 5;
   EXPECT_THAT(refusal(flatGrid({4, 4, 2}, 0.2), {}, printer),
               HasSubstr("mm high, the printer 5 mm"));
+  printer = samplePrinter();
+  printer.bedX = 12;
+  EXPECT_EQ(refusal(flatGrid({4, 4, 2}, 0.2), {}, printer),
+            "a hub of 3.66 mm does not fit 12 x 210 mm");
+  material = sampleMaterial();
+  material.hub.heightChange = 0.75;
+  EXPECT_THAT(refusal(flatGrid({9, 7, 3}, 0.2), {.scale = 4.8, .enlargement = 1.3}, samplePrinter(),
+                      material),
+              HasSubstr("hubs leave tubes a height of 0.04 mm"));
   StrutGrid uneven = flatGrid({4, 4, 2}, 0.2);
   uneven.rest.w[3] = 0.4;
   EXPECT_THAT(refusal(uneven), HasSubstr("posts of 0.3 to 0.4 units"));
