@@ -97,7 +97,10 @@ void addPrintCommand(CLI::App& app, Action& action) {
   addRequestOptions(*command, options.request);
   command->add_option("--out", options.outputFolder,
                       "output folder [out/SCENE/print, or print in the run's folder]");
-  command->add_flag("--plain", options.isPlain, "leave out the comments that name struts");
+  command->add_flag("--plain", options.files.isPlain, "leave out the comments that name struts");
+  command->add_flag("--stl", options.files.stl,
+                    "also write each tier as a solid, for looking and for slicers");
+  command->add_flag("--3mf", options.files.threeMf, "the same, all tiers in one file");
   addDeviceOptions(*command, options.device);
   addQuietFlag(*command, options.quiet);
   command->callback([&action, arguments] { action = [=] { return printGrid(*arguments); }; });

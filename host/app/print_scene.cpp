@@ -5,7 +5,6 @@
 #include "app/simulate_scene.h"
 #include "core/cancellation.h"
 #include "core/create_folder.h"
-#include "print/write_print_files.h"
 
 namespace morphgrid {
 namespace {
@@ -44,7 +43,7 @@ PrintOutcome print(const Scene& scene, const SceneDesign& designed, Simulation s
     throw Cancelled();
   }
   createFolder(options.outputFolder, "--out " + options.outputFolder.string());
-  writePrintFiles(record, options.outputFolder, options.isPlain);
+  writePrintFiles(record, options.outputFolder, options.files);
   RunRecord& run = simulation.record;
   if (context.failure) run.deviceFailure = context.failure;
   return {std::move(record), std::move(run)};

@@ -4,6 +4,7 @@
 #include "app/scene.h"
 #include "gpu/device.h"
 #include "print/print_record.h"
+#include "print/write_print_files.h"
 
 namespace morphgrid {
 
@@ -12,7 +13,7 @@ struct PrintOptions {
   std::filesystem::path material;
   std::filesystem::path outputFolder;
   PrintRequest request;
-  bool isPlain = false;  ///< Without comments that name struts.
+  PrintFileChoices files;
   DeviceOptions device;
   bool quiet = false;  ///< No progress.
 };
@@ -22,10 +23,10 @@ struct PrintOutcome {
   RunRecord run;  ///< Of the design.
 };
 
-/// Designs and simulates a scene as runScene() does, and prints it: leaves G-code for each tier and
-/// print.json in the output folder, all of them or none. What is laid is simulated once more.
-/// Throws InputError when files cannot be read or written or the grid cannot be printed, otherwise
-/// as runScene() does.
+/// Designs and simulates a scene as runScene() does, and prints it: leaves G-code for each tier,
+/// print.json and what is chosen in the output folder, all of them or none. What is laid is
+/// simulated once more. Throws InputError when files cannot be read or written or the grid cannot
+/// be printed, otherwise as runScene() does.
 PrintOutcome printScene(Scene scene, const PrintOptions& options);
 
 /// The same of a finished run. state: its file.

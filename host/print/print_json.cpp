@@ -20,7 +20,12 @@ ordered_json materialJson(const PrintMaterial& material) {
 }
 
 ordered_json sizesJson(const PrintPlan& plan) {
-  return {{"scale_mm_per_unit", plan.scale},
+  return {{"bed_mm", {plan.printer.bedX, plan.printer.bedY}},
+          {"nozzle_mm", plan.printer.nozzle},
+          {"filament_diameter_mm", plan.printer.filamentDiameter},
+          {"line_width_mm", plan.printer.lineWidth},
+          {"pass_height_mm", plan.material.strut.passHeight},
+          {"scale_mm_per_unit", plan.scale},
           {"enlargement", plan.enlargement},
           {"extent_mm", {plan.placing.extent.x(), plan.placing.extent.y()}},
           {"rotation_degrees", plan.placing.degrees},
