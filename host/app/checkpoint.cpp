@@ -14,7 +14,7 @@ namespace morphgrid {
 namespace {
 
 constexpr ArrayFormat kCheckpointFormat{
-    "morphgrid checkpoint", 4, "checkpoint",
+    "morphgrid checkpoint", 5, "checkpoint",
     "resume from another one that --checkpoint wrote, or start anew"};
 
 // Settings are texts whose names begin like this.
@@ -131,8 +131,9 @@ std::vector<InverseStep> readSteps(const ArrayReader& reader) {
 std::string pairName(std::size_t n) { return fmt::format("inverse_pair_{}", n); }
 
 void add(ArrayList& arrays, const InverseCheckpoint& inverse) {
-  arrays.addMade("inverse_summary", {2},
-                 {inverse.compensated ? 1.0 : 0.0, static_cast<double>(inverse.keptSteps)});
+  arrays.addMade("inverse_summary", {3},
+                 {inverse.compensated ? 1.0 : 0.0, static_cast<double>(inverse.keptSteps),
+                  static_cast<double>(inverse.returns)});
   addVector(arrays, "present_rest", inverse.present.rest);
   add(arrays, "present", inverse.present.equilibrium);
   addVector(arrays, "kept_rest", inverse.kept.rest);
@@ -148,13 +149,14 @@ void add(ArrayList& arrays, const InverseCheckpoint& inverse) {
 }
 
 InverseCheckpoint readInverse(const ArrayReader& reader) {
-  const std::vector<double> summary = reader.bare("inverse_summary", {2});
+  const std::vector<double> summary = reader.bare("inverse_summary", {3});
   const Eigen::VectorXd objectives = readVector(reader, "inverse_objectives");
   InverseCheckpoint inverse{
       reader.integer(summary[0], 0, 1) == 1,
       {readVector(reader, "present_rest"), readEquilibrium(reader, "present")},
       {readVector(reader, "kept_rest"), readEquilibrium(reader, "kept")},
       static_cast<std::size_t>(reader.integer(summary[1], 0, kLargestCount)),
+      static_cast<int>(reader.integer(summary[2], 0, kLargestCount)),
       readSteps(reader),
       {objectives.begin(), objectives.end()},
       {}};

@@ -22,7 +22,8 @@ constexpr double kWorthIt = 0.8;  // A lever that leaves more of what is wrong i
 constexpr std::array kGentleSlopes = {2.0, 1.0};  // Of 63 and 45 degrees.
 constexpr double kMuchLarger = 1.5;  // Times as large is a box that is worth turning the mesh.
 constexpr int kRoundsOffered = 2;
-constexpr double kMostlyOpen = 0.3;  // How far an open sheet faces one side.
+constexpr std::array kSmoothedStruts = {1.0, 2.0, 4.0};  // Widths, of a strut.
+constexpr double kMostlyOpen = 0.3;                      // How far an open sheet faces one side.
 
 /// What resists, by geometry, and in words.
 struct Resistance {
@@ -43,6 +44,26 @@ Resistance resistanceOf(const SceneDesign& designed) {
   return {off, fmt::format("corners {:.1f} degrees off 90 in the mean", off)};
 }
 
+/// What a target's curvature leaves of what was asked for.
+struct CurvatureRoom {
+  CutoffConsequence now;
+  bool isAll;  ///< Neither is the layer spacing clamped nor are nodes raised.
+
+  std::string inWords() const {
+    return fmt::format("layers {:.3g} apart and takes {:.0f} nodes", now.layerSpacingLimit,
+                       now.fewestNodes);
+  }
+};
+
+CurvatureRoom roomOn(const Target& target, const DesignRequest& request) {
+  const CutoffConsequence now = consequenceOf(request.curvatureCutoff, target.survey(), request);
+  return {now,
+          now.layerSpacingLimit >= request.layerSpacing && now.fewestNodes <= request.nodesLong};
+}
+
+/// To two digits.
+double rounded(double value) { return std::stod(fmt::format("{:.1e}", value)); }
+
 /// A scene changed in one way, and what that gives where it helps.
 class Levers {
  public:
@@ -53,6 +74,7 @@ class Levers {
     tryNet();
     tryBox();
     trySubdivision();
+    trySmoothing();
     return std::move(notices_);
   }
 
@@ -103,26 +125,51 @@ class Levers {
   }
 
   void trySubdivision() {
-    if (surface().configuration.subdivisions > 0 || !looksFaceted(designed_.target->survey())) {
+    const bool isFaceted = looksFaceted(designed_.target->survey());
+    if (surface().configuration.subdivisions > 0 ||
+        (!isFaceted && roomOn(*designed_.target, scene_.design).isAll)) {
       return;
     }
     Scene changed = scene_;
     std::get<MeshRequest>(changed.surface).configuration.subdivisions = kRoundsOffered;
+    tryCurvature(changed, fmt::format("{}subdivisions = {} in its configuration",
+                                      isFaceted ? "the mesh is made of flat facets, whose creases "
+                                                  "carry all curvature: "
+                                                : "",
+                                      kRoundsOffered));
+  }
+
+  void trySmoothing() {
+    const SurfaceSurvey& survey = designed_.target->survey();
+    if (roomOn(*designed_.target, scene_.design).isAll) return;
+    const double strut =
+        std::max(survey.longestIsolineU, survey.longestIsolineV) / scene_.design.nodesLong;
+    for (const double struts : kSmoothedStruts) {
+      const double width = rounded(struts * strut);
+      if (width <= surface().smoothingWidth) continue;
+      Scene changed = scene_;
+      std::get<MeshRequest>(changed.surface).smoothingWidth = width;
+      if (tryCurvature(changed, fmt::format("surface.smoothing_width = {:g}", width))) return;
+    }
+  }
+
+  /// Names a change that leaves much less curvature; whether it leaves all that was asked for.
+  bool tryCurvature(const Scene& changed, const std::string& change) {
     try {
       const auto target = loadTarget(changed);
-      const auto curvatureOf = [](const Target& of) {
-        return curvatureAtCutoff(of.survey(), 0.95);
-      };
-      const double then = curvatureOf(*target);
-      const double now = curvatureOf(*designed_.target);
-      if (then < kWorthIt * now) {
+      const CurvatureRoom then = roomOn(*target, scene_.design);
+      const CurvatureRoom now = roomOn(*designed_.target, scene_.design);
+      const auto strong = [](const Target& of) { return curvatureAtCutoff(of.survey(), 0.95); };
+      if (strong(*target) < kWorthIt * strong(*designed_.target) ||
+          then.now.curvatureLimit < kWorthIt * now.now.curvatureLimit) {
         notices_.push_back(fmt::format(
-            "the mesh is made of flat facets, whose creases carry all curvature: subdivisions = {} "
-            "in its configuration leaves {:.3g} where it is strong (the cutoff 0.95), now {:.3g}",
-            kRoundsOffered, then, now));
+            "{} leaves {:.3g} of curvature where it is strong (the cutoff 0.95), now {:.3g}: it "
+            "allows {}; now {}",
+            change, strong(*target), strong(*designed_.target), then.inWords(), now.inWords()));
       }
+      return then.isAll;
     } catch (const InputError&) {
-      // Not every mesh can be subdivided.
+      return false;  // Not every mesh can be subdivided.
     }
   }
 

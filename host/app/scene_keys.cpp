@@ -72,7 +72,8 @@ SceneKeySection solverKeys() {
                               NumberRange{.low = 0, .high = 1, .lowIncluded = true}),
            .unit = "share",
            .meaning = "`\"multigrid\"` also stops when three iterations in a row could not have "
-                      "lowered the energy by more than this share of it. `0`: only the residual "
+                      "lowered the energy by more than this share of it, and `\"jacobi\"` does "
+                      "not stop while more than this share is left. `0`: only the residual "
                       "counts."},
           {.name = "iteration_limit",
            .value = integerKey(at(&Scene::solve, &SolveOptions::iterationLimit), {.low = 0}),

@@ -152,7 +152,8 @@ SceneKeySection gridKeys() {
            .knob = KnobOffer{"nodes"},
            .meaning = "Nodes along the longer direction; the other direction follows from the "
                       "aspect ratio (Eq. 22). Raised where the surface curves too strongly for so "
-                      "few (Eq. 23)."},
+                      "few (Eq. 23), up to four times; where it takes more, the run stops and "
+                      "says how many to ask for here."},
           {.name = "max_shrinkage",
            .value = numberKey(ofDesign(&DesignRequest::maxShrinkage), between(0, 1)),
            .unit = "share",

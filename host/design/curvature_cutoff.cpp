@@ -21,6 +21,17 @@ double fewestNodes(double curvature, const SurfaceSurvey& survey) {
   return std::max(1.0, std::ceil(longer * curvature / 2));
 }
 
+/// In hundredths; nothing when not even 0.01 suits.
+template <typename Suits>
+std::optional<double> largestCutoff(const SurfaceSurvey& survey, const DesignRequest& request,
+                                    const Suits& suits) {
+  for (int hundredths = 100; hundredths >= 1; --hundredths) {
+    const double cutoff = hundredths / 100.0;
+    if (suits(consequenceOf(cutoff, survey, request))) return cutoff;
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 CutoffConsequence consequenceOf(double cutoff, const SurfaceSurvey& survey,
@@ -39,13 +50,17 @@ std::vector<CutoffConsequence> listCutoffConsequences(const SurfaceSurvey& surve
 }
 
 std::optional<double> suggestCutoff(const SurfaceSurvey& survey, const DesignRequest& request) {
-  for (int hundredths = 100; hundredths >= 1; --hundredths) {
-    const CutoffConsequence there = consequenceOf(hundredths / 100.0, survey, request);
-    if (there.layerSpacingLimit >= request.layerSpacing && there.fewestNodes <= request.nodesLong) {
-      return there.cutoff;
-    }
-  }
-  return std::nullopt;
+  return largestCutoff(survey, request, [&](const CutoffConsequence& there) {
+    return there.layerSpacingLimit >= request.layerSpacing &&
+           there.fewestNodes <= request.nodesLong;
+  });
+}
+
+std::optional<double> suggestCutoffForNodes(const SurfaceSurvey& survey,
+                                            const DesignRequest& request) {
+  return largestCutoff(survey, request, [&](const CutoffConsequence& there) {
+    return there.fewestNodes <= request.nodesLong;
+  });
 }
 
 }  // namespace morphgrid

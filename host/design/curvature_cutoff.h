@@ -26,4 +26,8 @@ std::vector<CutoffConsequence> listCutoffConsequences(const SurfaceSurvey& surve
 /// raised; nothing when even 0.01 does not do.
 std::optional<double> suggestCutoff(const SurfaceSurvey& survey, const DesignRequest& request);
 
+/// The same where only the nodes count.
+std::optional<double> suggestCutoffForNodes(const SurfaceSurvey& survey,
+                                            const DesignRequest& request);
+
 }  // namespace morphgrid

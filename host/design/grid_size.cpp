@@ -33,33 +33,50 @@ Aspect aspectOf(const SurfaceSurvey& survey, const std::optional<double>& modulu
   return {u >= v, std::max(u, v) / std::min(u, v)};
 }
 
-/// Eq. 23 may raise the node count, but not to where one crease of the surface makes a grid that
-/// nobody asked for and no machine solves.
+// Eq. 23 may raise the node count, but not to where one crease of the surface makes a grid that
+// nobody asked for: by this factor, and to so many.
+constexpr int kMostTimesRaised = 4;
 constexpr int kMostNodesRaisedTo = 2000;
+// A cutoff that caps more of the surface than it leaves designs another one.
+constexpr double kLeastCutoffAdvised = 0.5;
+
+int mostNodesRaisedTo(const DesignRequest& request) {
+  return std::max(request.nodesLong,
+                  static_cast<int>(std::min<long>(long{kMostTimesRaised} * request.nodesLong,
+                                                  kMostNodesRaisedTo)));
+}
 
 /// Which cutoff would leave the layer spacing and the nodes as asked for.
 std::string cutoffAdvice(const SurfaceSurvey& survey, const DesignRequest& request) {
   const std::optional<double> cutoff = suggestCutoff(survey, request);
-  if (!cutoff) {
-    return "no grid.curvature_cutoff would do";
+  if (!cutoff || *cutoff < kLeastCutoffAdvised) {
+    return fmt::format(
+        "no grid.curvature_cutoff of {:g} or more would do, so much of the surface curves as "
+        "strongly (`morphgrid check` tells what else helps)",
+        kLeastCutoffAdvised);
   }
   return fmt::format(
       "grid.curvature_cutoff = {:g} would do, capping curvature to {:.4g} (`morphgrid check` lists "
-      "others)",
+      "others and tells what else helps)",
       *cutoff, curvatureAtCutoff(survey, *cutoff));
 }
 
 void requireFewEnough(const CutoffConsequence& needed, const SurfaceSurvey& survey,
                       const DesignRequest& request) {
-  if (needed.fewestNodes > std::max(request.nodesLong, kMostNodesRaisedTo)) {
-    const std::optional<double> cutoff = suggestCutoff(survey, request);
+  if (needed.fewestNodes > mostNodesRaisedTo(request)) {
+    const std::optional<double> cutoff = suggestCutoffForNodes(survey, request);
     throw InputError(fmt::format(
-        "curvature {:.4g} needs at least {:.4g} nodes along an isoline of length {:.4g} (Eq. 23); "
-        "nodes are raised to at most {}: lower grid.curvature_cutoff{}, ask for as many in "
-        "grid.nodes_long, or smooth the surface",
+        "curvature {:.4g} needs at least {:.4g} nodes along an isoline of length {:.4g} (Eq. 23), "
+        "{:.3g} times grid.nodes_long = {}; it is raised to {} at most: {}set grid.nodes_long = "
+        "{:.0f} if you want as many, or smooth the surface (a mesh by surface.smoothing_width, or "
+        "subdivisions in its configuration)",
         needed.curvatureLimit, needed.fewestNodes,
-        std::max(survey.longestIsolineU, survey.longestIsolineV), kMostNodesRaisedTo,
-        cutoff ? fmt::format(" to {:g}", *cutoff) : ""));
+        std::max(survey.longestIsolineU, survey.longestIsolineV),
+        needed.fewestNodes / request.nodesLong, request.nodesLong, mostNodesRaisedTo(request),
+        cutoff && *cutoff >= kLeastCutoffAdvised
+            ? fmt::format("grid.curvature_cutoff = {:g} keeps those that you asked for, ", *cutoff)
+            : "",
+        needed.fewestNodes));
   }
 }
 

@@ -42,6 +42,7 @@ struct InverseCheckpoint {
   Design present;
   Design kept;                ///< The last one that was settled, see InverseDesigner.
   std::size_t keptSteps = 0;  ///< How many of `steps` lead to it.
+  int returns = 0;            ///< How often the grid has left for another equilibrium.
   std::vector<InverseStep> steps;
   std::vector<double> objectives;  ///< After each step of optimisation.
   std::deque<BoundedLbfgs::Pair> pairs;

@@ -36,6 +36,12 @@ constexpr double kStrainMargin = 0.9;
 constexpr double kCloseEnough = 0.005;
 // So many times the objective: the grid has left for another equilibrium.
 constexpr double kGaveWay = 1.1;
+// After the grid has left for another equilibrium: the design goes on along this share of the way
+// to where it left, halved as long as it leaves again, and steps are so much shorter each time.
+constexpr double kShareOfTheWay = 0.5;
+constexpr double kLeastShareOfTheWay = 0.05;
+constexpr double kShorterSteps = 0.3;
+constexpr int kMostReturns = 3;
 // No longer falls: the objective, over so many steps, by less than this share.
 constexpr std::size_t kPatience = 6;
 constexpr double kLeastFall = 0.02;
@@ -148,6 +154,7 @@ void InverseDesigner::resume(InverseCheckpoint from) {
   state_ = stateOf(std::move(from.present));
   kept_ = stateOf(std::move(from.kept));
   keptSteps_ = from.keptSteps;
+  returns_ = from.returns;
   if (from.aim.cols() == targets_.cols()) aim_ = std::move(from.aim);
   compensated_ = from.compensated;
   result_.steps = std::move(from.steps);
@@ -169,6 +176,7 @@ InverseCheckpoint InverseDesigner::checkpoint() const {
           {state_.rest, state_.equilibrium},
           {kept_.rest, kept_.equilibrium},
           keptSteps_,
+          returns_,
           result_.steps,
           objectives_,
           lbfgs_.pairs(),
@@ -311,17 +319,63 @@ void InverseDesigner::optimise() {
   while (++step <= options_.optimiseSteps && !options_.solve.stopRequested()) {
     offerCheckpoint();
     const Outcome outcome = falls() ? improve(slope, step) : Outcome::fallsNoFurther;
+    if (isDue(outcome, step) && !settle()) {
+      if (!goBack(slope, step)) return;
+      continue;
+    }
     if (outcome == Outcome::fallsNoFurther) {
       result_.ending = "the distance no longer falls";
       return;
     }
     if (outcome == Outcome::better) {
-      if (step % kStepsToSettle == 0 && !settle()) {
-        return;
-      }
       objectives_.push_back(state_.objective);
     }
   }
+}
+
+/// To be settled.
+bool InverseDesigner::isDue(Outcome outcome, int step) const {
+  switch (outcome) {
+    case Outcome::better:
+      return returns_ > 0 || step % kStepsToSettle == 0 || step == options_.optimiseSteps;
+    case Outcome::searchesAnew:
+      return false;
+    case Outcome::fallsNoFurther:
+      break;
+  }
+  return true;
+}
+
+/// The grid has left for another equilibrium: back to the design settled last, and on as far
+/// towards where it left as it holds. False where that has been done often enough.
+bool InverseDesigner::goBack(VectorXd& slope, int step) {
+  if (returns_ == kMostReturns) {
+    return false;
+  }
+  ++returns_;
+  const VectorXd way = state_.rest - kept_.rest;
+  state_ = kept_;
+  isPlaced_ = false;
+  result_.steps.resize(keptSteps_);
+  lbfgs_.clear();
+  objectives_.clear();
+  slope.resize(0);
+  for (double share = kShareOfTheWay;
+       share >= kLeastShareOfTheWay && !options_.solve.stopRequested(); share *= kShareOfTheWay) {
+    State part = morphed(kept_.rest + share * way, toTheEnd_);
+    if (isBetter(part) && staysFirm(part)) {
+      state_ = std::move(part);
+      isPlaced_ = true;
+      log(InverseStep::Kind::optimise, step);
+      keep();
+      break;
+    }
+  }
+  return true;
+}
+
+const SolveOptions& InverseDesigner::onTheWay() const {
+  return returns_ > 0 ? toTheEnd_ : onTheWay_;
 }
 
 InverseDesigner::Outcome InverseDesigner::improve(VectorXd& slope, int step) {
@@ -329,7 +383,7 @@ InverseDesigner::Outcome InverseDesigner::improve(VectorXd& slope, int step) {
     slope = gradient();
   }
   const VectorXd before = state_.rest;
-  const double spacing = solver_.grid().spacing;
+  const double spacing = std::pow(kShorterSteps, returns_) * solver_.grid().spacing;
   VectorXd direction = lbfgs_.direction(before, slope, kFirstStep * spacing);
   direction *= std::min(1.0, kLargestStep * spacing / direction.cwiseAbs().maxCoeff());
   if (!searchLine(direction)) {
@@ -351,7 +405,7 @@ InverseDesigner::Outcome InverseDesigner::improve(VectorXd& slope, int step) {
 bool InverseDesigner::searchLine(const VectorXd& direction) {
   double length = 1;
   for (int attempt = 0; attempt < kLineSearchSteps && !options_.solve.stopRequested(); ++attempt) {
-    State next = morphed(lbfgs_.project(state_.rest + length * direction), onTheWay_);
+    State next = morphed(lbfgs_.project(state_.rest + length * direction), onTheWay());
     if (isBetter(next) && staysFirm(next)) {
       state_ = std::move(next);
       isPlaced_ = true;

@@ -91,6 +91,9 @@ class InverseDesigner {
   /// One step of optimisation.
   enum class Outcome { better, searchesAnew, fallsNoFurther };
   Outcome improve(Eigen::VectorXd& slope, int step);
+  bool isDue(Outcome outcome, int step) const;
+  bool goBack(Eigen::VectorXd& slope, int step);
+  const SolveOptions& onTheWay() const;
   void keep();
   bool settle();
   void morphFromFlat();
@@ -111,7 +114,7 @@ class InverseDesigner {
   MultigridSolver& solver_;
   const Eigen::Matrix3Xd& targets_;
   InverseOptions options_;
-  SolveOptions onTheWay_;  ///< For equilibria that are only steps.
+  SolveOptions onTheWay_;  ///< For equilibria that are only steps, until the grid has left once.
   SolveOptions toTheEnd_;
   LateralRest lateral_;
   Eigen::VectorXd designed_;
@@ -125,6 +128,7 @@ class InverseDesigner {
   bool isPlaced_ = false;  ///< The solver stands at state_.
   State kept_;
   std::size_t keptSteps_ = 0;
+  int returns_ = 0;  ///< How often the grid has left for another equilibrium.
   bool compensated_ = false;
   Eigen::Matrix3Xd aim_;
   std::optional<SoftnessBound> softness_;  ///< Of frames.

@@ -12,7 +12,9 @@
 #include "energy/strut_energy.h"
 #include "solve/checkpoint_pace.h"
 #include "solve/control_comp.h"
+#include "solve/energy_left.h"
 #include "solve/loaded_rest.h"
+#include "solve/preconditioners.h"
 #include "solve/sweep_comp.h"
 #include "solve/sweep_precise_comp.h"
 
@@ -28,6 +30,10 @@ constexpr long kLoadSweeps = 2000;       // It is taken after this many sweeps a
 constexpr double kSinglePrecisionResidual = 1e-6;
 constexpr int kLargestSubmission = 64;  // Checks recorded at once.
 constexpr double kSubmissionSeconds = 0.1;
+// What is left of the energy falls with the square of the residual; a new bound goes by that, but
+// by no more than this factor.
+constexpr double kLeastTightening = 0.5;
+constexpr double kMostTightening = 0.01;
 constexpr long kPatience = 20000;  // Sweeps without a new best residual that end the run.
 
 Buffer hostStorage(const Device& device, std::size_t bytes) {
@@ -242,6 +248,19 @@ int JacobiSolver::start(const std::optional<SolveCheckpoint>& from) {
   return from->phase;
 }
 
+/// A residual in units of the mean stiffness says nothing about what is much softer. The energy
+/// that is left, over what may be.
+double JacobiSolver::energyExcess(const Equilibrium& reached, double energyTolerance) const {
+  const double spacing = grid_.spacing;
+  const double none =
+      spacing * spacing * negligibleEnergy(energy_.meanStiffness(), grid_.shape.vertexCount());
+  if (energyTolerance == 0 || std::abs(reached.energy) <= none) {
+    return 0;
+  }
+  return energyLeft(grid_, reached.positions, vCyclePreconditioner(device_, deviceGrid_)) /
+         (energyTolerance * std::abs(reached.energy));
+}
+
 Equilibrium JacobiSolver::solve(const SolveOptions& options) {
   RunLog log(options, grid_.spacing * grid_.spacing);
   Equilibrium result;
@@ -257,17 +276,23 @@ Equilibrium JacobiSolver::solve(const SolveOptions& options) {
     runUntil(sweeps_, kSinglePrecisionResidual, options.iterationLimit - log.sweeps(), log);
   }
   // The device may see a slightly other residual than the host in double: the host decides.
-  for (double tolerance = options.tolerance; !result.converged; tolerance /= 2) {
+  double tolerance = options.tolerance;
+  while (!result.converged) {
     runUntil(finalSweeps, tolerance, options.iterationLimit - log.sweeps(), log);
     result.positions = deviceGrid_.downloadPositions();
     const StrutEnergy::Value value = energy_.evaluate(result.positions);
     result.energy = value.energy;
     result.residual = energy_.residual(value.gradient);
-    result.converged = result.residual <= options.tolerance;
+    double excess = 1;
+    if (result.residual <= options.tolerance) {
+      excess = energyExcess(result, options.energyTolerance);
+      result.converged = excess <= 1;
+    }
     if (const auto reason = log.reasonToStop()) {
       result.reason = *reason;
       break;
     }
+    tolerance *= std::clamp(1 / std::sqrt(excess), kMostTightening, kLeastTightening);
   }
   if (result.converged) {
     result.reason = StopReason::residual;

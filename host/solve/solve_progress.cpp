@@ -6,14 +6,13 @@
 #include <cmath>
 
 #include "core/error.h"
+#include "solve/energy_left.h"
 
 namespace morphgrid {
 namespace {
 
 // Half of the steps must be as many for their fall to tell a rate.
 constexpr std::size_t kFewestSteps = 2;
-// Energy, in stiffness x spacing^2 a vertex, that positions cannot tell from none.
-constexpr double kNoEnergy = 1e-13;
 
 }  // namespace
 
@@ -59,7 +58,7 @@ void SolveProgress::beginGrid(std::size_t n, double spacing, double meanStiffnes
   phaseCycles_ = cycles_;
   energyScale_ = spacing * spacing;
   residualScale_ = 1 / (meanStiffness * std::sqrt(count));
-  noEnergy_ = kNoEnergy * meanStiffness * count;
+  noEnergy_ = negligibleEnergy(meanStiffness, count);
 }
 
 void SolveProgress::tellGrid(std::shared_ptr<const DeviceGrid> grid) const {

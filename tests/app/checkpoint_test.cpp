@@ -58,6 +58,7 @@ Checkpoint sampleInInverseDesign() {
   inverse.present.equilibrium.rotations = JointRotations::Random(4, 7);
   inverse.kept = {Eigen::VectorXd::Random(8), sampleEquilibrium(7)};
   inverse.keptSteps = 1;
+  inverse.returns = 2;
   inverse.steps = {{InverseStep::Kind::design, 0, 3.5, 7.25, 40, 1.5, 3, 12, 0, 0.5},
                    {InverseStep::Kind::optimise, 1, 1.0 / 3, 0.5, 39, 2.5, 0, 7, 6, 0.75}};
   inverse.objectives = {0.25};
@@ -153,6 +154,7 @@ TEST_F(CheckpointFile, KeepsEveryBitOfInverseDesign) {
   EXPECT_EQ(a.kept.rest, b.kept.rest);
   expectSame(a.kept.equilibrium, b.kept.equilibrium);
   EXPECT_EQ(a.keptSteps, b.keptSteps);
+  EXPECT_EQ(a.returns, b.returns);
   ASSERT_EQ(a.steps.size(), b.steps.size());
   for (std::size_t n = 0; n < a.steps.size(); ++n) {
     expectSame(a.steps[n], b.steps[n]);

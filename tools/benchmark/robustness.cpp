@@ -7,11 +7,15 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
+#include "benchmark/congruence.h"
+#include "benchmark/random_scenes.h"
 #include "benchmark/robustness_cases.h"
 #include "core/atomic_file.h"
 #include "core/error.h"
 #include "core/interrupt.h"
+#include "core/read_file.h"
 #include "energy/strut_energy.h"
+#include "report/generated_block.h"
 #include "solve/multigrid_solver.h"
 #include "solve/preconditioners.h"
 #include "solve/reference_solver.h"
@@ -215,11 +219,9 @@ std::string summarise(const std::vector<Result>& results) {
          summariseVerdicts(results);
 }
 
-std::string toMarkdown(const std::string& deviceName, const std::vector<Result>& results) {
+std::string toMarkdown(const std::vector<Result>& results) {
   std::string text = fmt::format(
-      "# Robustness\n\n"
-      "Written by `tools/robustness --markdown docs/robustness.md` on {}: grids of all sorts, "
-      "solved from flat by\n"
+      "Grids of all sorts, solved from flat by\n"
       "`multigrid` at its default tolerances, at most {} cycles. A cycle on a coarser grid counts "
       "by its share of the\n"
       "vertices. *To 1e-6*: cycles until the energy stays within a millionth of the lowest known. "
@@ -237,8 +239,8 @@ std::string toMarkdown(const std::string& deviceName, const std::vector<Result>&
       "within its residual in {} steps; a dash above {} vertices, where the search on the CPU "
       "takes long. With angle 0\n"
       "a strut that is compressed by ever so little has nothing else to hold it: a saddle.\n\n",
-      deviceName, kCycleLimit, kFollowingSteps, kMostVerticesFollowed,
-      EigenvalueOptions{}.iterationLimit, kMostVerticesJudged);
+      kCycleLimit, kFollowingSteps, kMostVerticesFollowed, EigenvalueOptions{}.iterationLimit,
+      kMostVerticesJudged);
   text += summarise(results) + "\n" + kTableHead;
   for (const Result& result : results) {
     text += toRow(result);
@@ -254,13 +256,13 @@ struct RobustnessTable {
   std::string markdownFile;
 };
 
-std::vector<Result> measure(const Device& device, const RobustnessTable& options) {
+std::vector<Result> measureGrids(const Device& device, const RobustnessTable& options) {
   std::vector<Result> results;
-  fmt::print("{}", kTableHead);
   for (const RobustnessCase& testCase : listRobustnessCases(options.scenes)) {
     if ((testCase.group + ": " + testCase.name).find(options.only) == std::string::npos) {
       continue;
     }
+    if (results.empty()) fmt::print("{}", kTableHead);
     results.push_back(resultOf(device, testCase));
     fmt::print("{}", toRow(results.back()));
     std::cout.flush();
@@ -268,27 +270,38 @@ std::vector<Result> measure(const Device& device, const RobustnessTable& options
       throw std::runtime_error("interrupted");
     }
   }
-  if (results.empty()) {
-    throw InputError(fmt::format("--only {}: there is no such grid", options.only));
-  }
+  if (!results.empty()) fmt::print("\n{}", summarise(results));
   return results;
 }
 
 void run(const RobustnessTable& options) {
   installInterruptHandler();
-  const Device device({.selection = options.selection, .validation = false});
-  const std::vector<Result> results = measure(device, options);
-  fmt::print("\n{}", summarise(results));
+  const auto device =
+      std::make_shared<Device>(DeviceOptions{.selection = options.selection, .validation = false});
+  const std::vector<Result> grids = measureGrids(*device, options);
+  const auto congruence = measureCongruence(device, options.scenes, options.only);
+  const auto scenes = measureRandomScenes(device, options.only);
+  if (interruptRequested()) {
+    throw std::runtime_error("interrupted");
+  }
+  if (grids.empty() && congruence.empty() && scenes.empty()) {
+    throw InputError(fmt::format("--only {}: there is no such grid", options.only));
+  }
   if (!options.markdownFile.empty()) {
-    writeFileAtomically(options.markdownFile, toMarkdown(device.name(), results));
+    std::string text = readFile(options.markdownFile);
+    const std::string name = fmt::format("Measured on {}.\n\n", device->name());
+    if (!congruence.empty()) text = withBlock(text, "congruence", name + toMarkdown(congruence));
+    if (!scenes.empty()) text = withBlock(text, "random scenes", name + toMarkdown(scenes));
+    if (!grids.empty()) text = withBlock(text, "grids", name + toMarkdown(grids));
+    writeFileAtomically(options.markdownFile, text);
   }
   if (!options.jsonFile.empty()) {
     nlohmann::json rows = nlohmann::json::array();
-    for (const Result& result : results) {
+    for (const Result& result : grids) {
       rows.push_back(toJson(result));
     }
     writeFileAtomically(options.jsonFile,
-                        nlohmann::json{{"device", device.name()}, {"grids", rows}}.dump(2));
+                        nlohmann::json{{"device", device->name()}, {"grids", rows}}.dump(2));
   }
 }
 
@@ -301,11 +314,12 @@ void addRobustnessTable(CLI::App& app) {
   robust->add_option("--scenes", options->scenes, "folder of the scene files")
       ->capture_default_str();
   robust->add_option("--only", options->only,
-                     "only grids whose `group: name` contains this, e.g. thin:");
+                     "only grids whose `group: name` contains this, e.g. thin: or congruence:");
   robust->add_option("--device", options->selection,
                      "index or part of the name of a Vulkan device");
   robust->add_option("--json", options->jsonFile, "also write the figures to this file");
-  robust->add_option("--markdown", options->markdownFile, "also write the table to this file");
+  robust->add_option("--markdown", options->markdownFile,
+                     "also write the tables into this file, between its marks");
   robust->callback([options] { run(*options); });
 }
 
