@@ -2,28 +2,10 @@
 
 #include <fmt/format.h>
 
+#include "print/html_text.h"
+
 namespace morphgrid {
 namespace {
-
-std::string htmlText(const std::string& text) {
-  std::string result;
-  for (const char letter : text) {
-    switch (letter) {
-      case '<':
-        result += "&lt;";
-        break;
-      case '>':
-        result += "&gt;";
-        break;
-      case '&':
-        result += "&amp;";
-        break;
-      default:
-        result += letter;
-    }
-  }
-  return result;
-}
 
 constexpr const char* kStyle =
     "<style>\nbody { font-family: sans-serif; max-width: 60em; margin: 1em auto; }\n"
@@ -80,6 +62,7 @@ std::string assemblyPage(const PrintRecord& record) {
     page += fmt::format("<p><b>{}</b></p>\n", htmlText(notice));
   }
   page += partsTable(record) + assemblySteps(record) +
+          (record.tolerance ? tolerancePage(*record.tolerance) : "") +
           "<p>The maps are at 1:1 when printed at 100 %: measure the line. Blue is laid across the "
           "strut, red along it; the more red, the more it shrinks. Dashed struts are out of "
           "range.</p>\n";

@@ -1,6 +1,7 @@
 #include <nlohmann/json.hpp>
 
 #include "print/print_record.h"
+#include "print/tolerance_json.h"
 
 namespace morphgrid {
 namespace {
@@ -108,6 +109,7 @@ std::string printJson(const PrintRecord& record) {
                           {"struts", strutsJson(record.plan)},
                           {"tiers", std::move(tiers)},
                           {"distance", shapeJson(record.shape)},
+                          {"tolerance", toleranceJson(record.tolerance)},
                           {"notices", printNotices(record)}};
   return json.dump(2, ' ', false, ordered_json::error_handler_t::replace) + '\n';
 }

@@ -4,6 +4,7 @@
 
 #include "core/key_place.h"
 #include "core/read_toml_key.h"
+#include "core/write_toml_keys.h"
 
 namespace morphgrid {
 namespace {
@@ -13,6 +14,8 @@ using MaterialKey = TomlKey<Material>;
 using MaterialSection = TomlKeySection<Material>;
 
 constexpr IntegerRange kFewCounts{1, 1000};
+constexpr const char* kErrorMeaning =
+    "Standard error of `change`, as `calibrate fit` finds it; 0: not known.";
 constexpr NumberRange kChanges{.low = -0.9, .high = 10, .lowIncluded = true, .highIncluded = true};
 
 MaterialKey requiredText(const char* name, std::string Material::*text, const char* meaning) {
@@ -89,6 +92,10 @@ MaterialSection layKeys(const char* name, Lay Material::*lay, const char* lines)
         .meaning = fmt::format("What the bath does to the length of a strut whose lines run {} it; "
                                "-0.42 makes it 42 % shorter.",
                                lines)},
+       {.name = "error",
+        .value = numberKey(at(lay, &Lay::error), fromTo(0, 1)),
+        .unit = "share",
+        .meaning = kErrorMeaning},
        {.name = "height_change",
         .value = numberKey(at(lay, &Lay::heightChange), kChanges),
         .unit = "share",
@@ -111,6 +118,10 @@ MaterialSection hubKeys() {
             .value = numberKey(at(&Material::hub, &Hub::change), kChanges),
             .unit = "share",
             .meaning = "What the bath does to the diameter; the pin stops it."},
+           {.name = "error",
+            .value = numberKey(at(&Material::hub, &Hub::error), fromTo(0, 1)),
+            .unit = "share",
+            .meaning = kErrorMeaning},
            {.name = "height_change",
             .value = numberKey(at(&Material::hub, &Hub::heightChange), kChanges),
             .unit = "share",
@@ -135,6 +146,10 @@ MaterialSection tubeKeys() {
             .value = numberKey(at(&Material::tube, &Tube::change), kChanges),
             .unit = "share",
             .meaning = "What the bath does to the height."},
+           {.name = "error",
+            .value = numberKey(at(&Material::tube, &Tube::error), fromTo(0, 1)),
+            .unit = "share",
+            .meaning = kErrorMeaning},
            {.name = "measured",
             .value = booleanKey(at(&Material::tube, &Tube::isMeasured)),
             .meaning = "As of `[hub]`."}}};
@@ -175,6 +190,10 @@ const std::vector<TomlKeySection<PrintMaterial>>& printMaterialKeys() {
       hubKeys(),
       tubeKeys()};
   return kSections;
+}
+
+std::string printMaterialText(const PrintMaterial& material) {
+  return TomlKeyWriter(material).write(printMaterialKeys());
 }
 
 PrintMaterial readPrintMaterial(const std::filesystem::path& file) {

@@ -10,6 +10,7 @@ namespace morphgrid {
 struct Lay {
   double speed = 30;        ///< mm/s
   double change = 0;        ///< Of length along the strut, as a share; below 0 it shrinks.
+  double error = 0;         ///< Standard error of `change`; 0: not known. As those below.
   double heightChange = 0;  ///< As a share.
 };
 
@@ -41,6 +42,7 @@ struct PrintMaterial {
     int every = 2;  ///< Passes from one to the next, which is that much higher.
     double speed = 20;
     double change = 0;  ///< Of the diameter, as a share.
+    double error = 0;
     double heightChange = 0;
     bool isMeasured = false;
   } hub;
@@ -50,6 +52,7 @@ struct PrintMaterial {
     double passHeight = 0.2;
     double speed = 20;
     double change = 0;  ///< Of the height, as a share.
+    double error = 0;
     bool isMeasured = false;
   } tube;
 
@@ -64,6 +67,9 @@ struct PrintMaterial {
 /// All keys of material files, section by section: readPrintMaterial() and docs/printing_format.md
 /// come from here.
 const std::vector<TomlKeySection<PrintMaterial>>& printMaterialKeys();
+
+/// A material file that reads as this one.
+std::string printMaterialText(const PrintMaterial& material);
 
 /// Throws InputError with every problem, one a line, each as `file:line:column: ...`.
 PrintMaterial readPrintMaterial(const std::filesystem::path& file);

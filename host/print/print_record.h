@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "print/print_plan.h"
+#include "print/print_tolerance.h"
 #include "print/write_tier.h"
 
 namespace morphgrid {
@@ -27,6 +28,7 @@ struct PrintRecord {
   PrintPlan plan;
   std::vector<TierFigures> tiers;  ///< The bottom one first.
   std::optional<LaidShape> shape;  ///< None where it could not be simulated.
+  std::optional<PrintTolerance> tolerance = std::nullopt;  ///< Where it was asked for.
   std::vector<std::string> notices{};
 };
 

@@ -16,6 +16,7 @@ class PrintRows {
         fmt::format("  {:<26}{}\n", what, fmt::format(format, std::forward<Values>(values)...));
   }
   void line(const std::string& text) { text_ += text + '\n'; }
+  void add(const std::string& rows) { text_ += rows; }
   const std::string& text() const { return text_; }
 
  private:
@@ -107,6 +108,7 @@ std::string printTable(const PrintRecord& record) {
   addRange(rows, record.plan);
   addTiers(rows, record);
   if (record.shape) addShape(rows, *record.shape);
+  if (record.tolerance) rows.add(toleranceTable(*record.tolerance));
   rows.line(printVerdict(record));
   return rows.text();
 }

@@ -62,6 +62,11 @@ std::vector<std::string> printNotices(const PrintRecord& record) {
         *record.shape->fromFlatRmsPercent,
         record.shape->hasTarget ? "the target" : "where the design ends"));
   }
+  if (record.tolerance) {
+    for (std::string& notice : toleranceNotices(*record.tolerance)) {
+      notices.push_back(std::move(notice));
+    }
+  }
   return notices;
 }
 

@@ -62,6 +62,11 @@ std::vector<PrinterKey> motionKeys() {
           positiveKey("acceleration", &Printer::acceleration, "mm/s^2", "Where something is laid."),
           positiveKey("travel_acceleration", &Printer::travelAcceleration, "mm/s^2",
                       "Where nothing is; not of `\"klipper\"`, which has one for both."),
+          {.name = "pressure_advance",
+           .value = numberKey(at(&Printer::pressureAdvance), atLeast(0)),
+           .unit = "s",
+           .meaning = "Sent to the printer as `M900 K`, `SET_PRESSURE_ADVANCE` or `M572 S`; 0 "
+                      "leaves what it has."},
           positiveKey(
               "jerk", &Printer::jerk, "mm/s",
               "A change of speed that needs no braking. It tells how long a print takes, and is "

@@ -29,7 +29,8 @@ struct Printer {
   double travelSpeed = 150;
   double acceleration = 1000;
   double travelAcceleration = 2000;
-  double jerk = 8;  ///< Of how long a print takes, no more: firmware has its own.
+  double jerk = 8;             ///< Of how long a print takes, no more: firmware has its own.
+  double pressureAdvance = 0;  ///< s; 0: the printer's own.
   double retraction = 0.7;
   double retractionSpeed = 35;
   double lift = 0.2;

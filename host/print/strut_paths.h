@@ -4,6 +4,10 @@
 
 namespace morphgrid {
 
+/// By how much joints between zones are moved from pass to pass, mm, so that they do not lie above
+/// each other.
+inline constexpr double kZoneShift = 0.4;
+
 /// One pass of a strut between two hubs.
 struct StrutPass {
   Eigen::Vector2d from, to;  ///< The hubs' middles.
@@ -46,5 +50,20 @@ void visitStrut(const PrintPlan& plan, const StrutPass& pass, PrintPath& path, V
 /// Writes a circle to a path, as a polygon of kRingSides that begins and ends at this angle: around
 /// the circle, so that it does not narrow the hole, and with the circle's volume.
 void layRing(const Eigen::Vector2d& centre, double radius, double angle, PrintPath& path);
+
+/// visit(const PrintPath&) of a hub's rings, the outer one first: that is where the nozzle is.
+/// `path` knows all but its points.
+template <typename Visit>
+void visitRings(const PrintPlan& plan, const Eigen::Vector2d& hub, double angle, PrintPath& path,
+                Visit visit) {
+  path.flow = 1;
+  path.joins = false;
+  const std::vector<double>& radii = plan.hub.ringRadii;
+  for (auto radius = radii.rbegin(); radius != radii.rend(); ++radius) {
+    layRing(hub, *radius, angle, path);
+    visit(path);
+    path.joins = true;
+  }
+}
 
 }  // namespace morphgrid

@@ -29,16 +29,6 @@ MapFrame mapFrameOf(const PrintPlan& plan) {
   return {low, high - low};
 }
 
-/// From blue, all across, to red, all along.
-std::string shareColour(double share) {
-  constexpr double kAcross[] = {47, 108, 190};
-  constexpr double kAlong[] = {214, 60, 40};
-  const auto part = [&](int n) {
-    return std::lround(kAcross[n] + share * (kAlong[n] - kAcross[n]));
-  };
-  return fmt::format("#{:02x}{:02x}{:02x}", part(0), part(1), part(2));
-}
-
 std::string mapStruts(const PrintPlan& plan, int tier, const MapFrame& frame) {
   std::set<std::pair<int, Strut::Direction>> outside;
   for (const StrutOutOfRange& strut : plan.figures.outOfRange) {
@@ -87,6 +77,15 @@ std::string mapWords(const PrintPlan& plan, int tier, const MapFrame& frame) {
 }
 
 }  // namespace
+
+std::string shareColour(double share) {
+  constexpr double kAcross[] = {47, 108, 190};
+  constexpr double kAlong[] = {214, 60, 40};
+  const auto part = [&](int n) {
+    return std::lround(kAcross[n] + share * (kAlong[n] - kAcross[n]));
+  };
+  return fmt::format("#{:02x}{:02x}{:02x}", part(0), part(1), part(2));
+}
 
 std::string tierMap(const PrintPlan& plan, int tier) {
   const MapFrame frame = mapFrameOf(plan);

@@ -11,10 +11,6 @@
 namespace morphgrid {
 namespace {
 
-/// By how much joints between zones are moved from pass to pass, mm, so that they do not lie above
-/// each other.
-constexpr double kZoneShift = 0.4;
-
 double angleOf(const Eigen::Vector2d& direction) {
   return std::atan2(direction.y(), direction.x());
 }
@@ -111,19 +107,13 @@ class TierWalk {
            std::min(plan_.material.hub.speed, fastest_));
   }
 
-  /// The outer ring first: that is where the nozzle is.
   void layHub(const GridPlace& hub, double angle, PathKind kind, double height, double speed) {
     path_.place = hub;
     path_.kind = kind;
     path_.bead = plan_.strutBead(height);
     path_.speed = speed;
-    path_.joins = false;
-    const std::vector<double>& radii = plan_.hub.ringRadii;
-    for (auto radius = radii.rbegin(); radius != radii.rend(); ++radius) {
-      layRing(plan_.at(hub), *radius, angle, path_);
-      visitor_.lay(path_);
-      path_.joins = true;
-    }
+    visitRings(plan_, plan_.at(hub), angle, path_,
+               [&](const PrintPath& path) { visitor_.lay(path); });
   }
 
   void layTubes() {

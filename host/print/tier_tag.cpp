@@ -44,29 +44,15 @@ double distanceToSegment(const Vector2d& point, const Vector2d& from, const Vect
 /// The first cell, its corners in a ring, the first of them at 0, 0.
 using CellCorners = std::array<Vector2d, 4>;
 
-/// The text in the middle of the cell, along the diagonal from 0, 0, on a line that joins its
-/// digits and begins on the diagonal.
+double widthOf(const std::string& text) {
+  return kDigitStep * (static_cast<double>(text.size()) - 1) + 1;
+}
+
+/// The text in the middle of the cell, along the diagonal from 0, 0.
 Strokes textIn(const CellCorners& cell, const std::string& text, double size) {
   const Vector2d along = (cell[2] - cell[0]).normalized();
-  const Vector2d up(-along.y(), along.x());
-  const double width = kDigitStep * (static_cast<double>(text.size()) - 1) + 1;
   const Vector2d middle = (cell[0] + cell[1] + cell[2] + cell[3]) / 4;
-  const auto at = [&](double x, double y) -> Vector2d {
-    return middle + size * ((x + (kLead - width) / 2) * along + (y - 1 - kUnderline / 2) * up);
-  };
-  const Vector2d onDiagonal = middle - size * (kLead + width) / 2 * along;
-  Strokes strokes{{onDiagonal, at(-kLead, kUnderline), at(width, kUnderline)}};
-  for (std::size_t n = 0; n < text.size(); ++n) {
-    const double left = kDigitStep * static_cast<double>(n);
-    strokes.push_back({at(left + 1, kUnderline), at(left + 1, 0)});
-    for (const auto& stroke : digitStrokes(text[n])) {
-      strokes.emplace_back();
-      for (const Vector2d& point : stroke) {
-        strokes.back().push_back(at(left + point.x(), point.y()));
-      }
-    }
-  }
-  return strokes;
+  return numberStrokes(text, middle, along, size);
 }
 
 double distanceToSides(const Strokes& strokes, const CellCorners& cell) {
@@ -82,6 +68,28 @@ double distanceToSides(const Strokes& strokes, const CellCorners& cell) {
 }
 
 }  // namespace
+
+std::vector<std::vector<Vector2d>> numberStrokes(const std::string& digits, const Vector2d& middle,
+                                                 const Vector2d& along, double size) {
+  const Vector2d up(-along.y(), along.x());
+  const double width = widthOf(digits);
+  const auto at = [&](double x, double y) -> Vector2d {
+    return middle + size * ((x + (kLead - width) / 2) * along + (y - 1 - kUnderline / 2) * up);
+  };
+  const Vector2d begin = middle - size * (kLead + width) / 2 * along;
+  Strokes strokes{{begin, at(-kLead, kUnderline), at(width, kUnderline)}};
+  for (std::size_t n = 0; n < digits.size(); ++n) {
+    const double left = kDigitStep * static_cast<double>(n);
+    strokes.push_back({at(left + 1, kUnderline), at(left + 1, 0)});
+    for (const auto& stroke : digitStrokes(digits[n])) {
+      strokes.emplace_back();
+      for (const Vector2d& point : stroke) {
+        strokes.back().push_back(at(left + point.x(), point.y()));
+      }
+    }
+  }
+  return strokes;
+}
 
 std::vector<std::vector<Vector2d>> tagOf(const PrintPlan& plan, int tier) {
   const CellCorners cell{plan.at({0, 0, tier}), plan.at({1, 0, tier}), plan.at({1, 1, tier}),

@@ -1,5 +1,6 @@
 #pragma once
 #include <Eigen/Core>
+#include <string>
 #include <vector>
 
 #include "print/print_plan.h"
@@ -11,6 +12,12 @@ namespace morphgrid {
 /// of points on the bed; none where the cell has no room for a number that stays kTagGap from
 /// struts.
 std::vector<std::vector<Eigen::Vector2d>> tagOf(const PrintPlan& plan, int tier);
+
+/// Digits on a line that joins them, about `middle`, read along a unit vector; size: a digit's
+/// width, mm. The first stroke begins before them, halfway up.
+std::vector<std::vector<Eigen::Vector2d>> numberStrokes(const std::string& digits,
+                                                        const Eigen::Vector2d& middle,
+                                                        const Eigen::Vector2d& along, double size);
 
 /// Between the number and struts, mm.
 inline constexpr double kTagGap = 1;

@@ -2,12 +2,8 @@
 
 #include <fmt/format.h>
 
-#include <fstream>
-#include <memory>
-
-#include "core/atomic_file.h"
-#include "core/error.h"
 #include "print/assembly_page.h"
+#include "print/pending_files.h"
 #include "print/solid_files.h"
 
 namespace morphgrid {
@@ -19,27 +15,6 @@ std::filesystem::path tierFile(const std::filesystem::path& folder, int tier,
                                const char* extension) {
   return folder / fmt::format("tier_{}.{}", tier + 1, extension);
 }
-
-/// Files that become visible together.
-class PendingFiles {
- public:
-  void write(const std::filesystem::path& file, const std::string& text) {
-    files_.push_back(std::make_unique<PendingFile>(file));
-    std::ofstream stream(files_.back()->path(), std::ios::binary);
-    stream.write(text.data(), static_cast<std::streamsize>(text.size()));
-    stream.close();
-    if (!stream || std::filesystem::is_directory(file)) {
-      throw InputError(fmt::format(
-          "{}: cannot be written: is the folder there, writable and not full?", file.string()));
-    }
-  }
-  void commit() {
-    for (const auto& file : files_) file->commit();
-  }
-
- private:
-  std::vector<std::unique_ptr<PendingFile>> files_;
-};
 
 constexpr const char* kForSlicers =
     "STL and 3MF are for looking, for posts and for uniform sheets: slicers lay every strut along "

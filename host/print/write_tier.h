@@ -1,5 +1,6 @@
 #pragma once
 #include <array>
+#include <functional>
 #include <string>
 
 #include "print/print_path.h"
@@ -26,6 +27,20 @@ struct TierGcode {
   std::string text;
   TierFigures figures;
 };
+
+/// How a file says what it prints.
+struct GcodeHeading {
+  std::string command;  ///< Of morphgrid, that makes it.
+  std::string what;     ///< "tier 1 of 3, from the bottom".
+  std::string display;  ///< The same on the printer's display, short.
+  std::string subject;  ///< "tier 1", for messages.
+  std::string wayOut;   ///< What would bring it onto the bed.
+};
+
+/// G-code for what visit() lays; isPlain: without comments that name struts and hubs. Throws
+/// InputError when something would be laid beside the bed.
+TierGcode writeGcode(const PrintPlan& plan, const GcodeHeading& heading, bool isPlain,
+                     const std::function<void(TierVisitor&)>& visit);
 
 /// G-code for a tier, 0 the bottom one. isPlain: without comments that name struts and hubs.
 /// Throws InputError when something would be laid beside the bed.

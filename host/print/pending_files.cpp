@@ -1,0 +1,26 @@
+#include "print/pending_files.h"
+
+#include <fmt/format.h>
+
+#include <fstream>
+
+#include "core/error.h"
+
+namespace morphgrid {
+
+void PendingFiles::write(const std::filesystem::path& file, const std::string& text) {
+  files_.push_back(std::make_unique<PendingFile>(file));
+  std::ofstream stream(files_.back()->path(), std::ios::binary);
+  stream.write(text.data(), static_cast<std::streamsize>(text.size()));
+  stream.close();
+  if (!stream || std::filesystem::is_directory(file)) {
+    throw InputError(fmt::format(
+        "{}: cannot be written: is the folder there, writable and not full?", file.string()));
+  }
+}
+
+void PendingFiles::commit() {
+  for (const auto& file : files_) file->commit();
+}
+
+}  // namespace morphgrid
