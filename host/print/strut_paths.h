@@ -52,11 +52,10 @@ void visitStrut(const PrintPlan& plan, const StrutPass& pass, PrintPath& path, V
 void layRing(const Eigen::Vector2d& centre, double radius, double angle, PrintPath& path);
 
 /// visit(const PrintPath&) of a hub's rings, the outer one first: that is where the nozzle is.
-/// `path` knows all but its points.
+/// `path` knows all but its points and flow.
 template <typename Visit>
 void visitRings(const PrintPlan& plan, const Eigen::Vector2d& hub, double angle, PrintPath& path,
                 Visit visit) {
-  path.flow = 1;
   path.joins = false;
   const std::vector<double>& radii = plan.hub.ringRadii;
   for (auto radius = radii.rbegin(); radius != radii.rend(); ++radius) {
