@@ -79,6 +79,13 @@ class Levers {
   }
 
  private:
+  /// A change that leaves much less curvature.
+  struct Eased {
+    std::string sentence;
+    double curvature;  ///< The largest that counts.
+    bool isAll;        ///< It leaves all that was asked for.
+  };
+
   const MeshRequest& surface() const { return std::get<MeshRequest>(scene_.surface); }
 
   /// The lever's design; whether it is one.
@@ -132,44 +139,53 @@ class Levers {
     }
     Scene changed = scene_;
     std::get<MeshRequest>(changed.surface).configuration.subdivisions = kRoundsOffered;
-    tryCurvature(changed, fmt::format("{}subdivisions = {} in its configuration",
-                                      isFaceted ? "the mesh is made of flat facets, whose creases "
-                                                  "carry all curvature: "
-                                                : "",
-                                      kRoundsOffered));
+    const auto eased =
+        tryCurvature(changed, fmt::format("{}subdivisions = {} in its configuration",
+                                          isFaceted ? "the mesh is made of flat facets, "
+                                                      "whose creases carry all curvature: "
+                                                    : "",
+                                          kRoundsOffered));
+    if (eased) notices_.push_back(eased->sentence);
   }
 
+  /// The narrowest width that leaves what was asked for, or beyond which a wider one gives little.
   void trySmoothing() {
     const SurfaceSurvey& survey = designed_.target->survey();
     if (roomOn(*designed_.target, scene_.design).isAll) return;
     const double strut =
         std::max(survey.longestIsolineU, survey.longestIsolineV) / scene_.design.nodesLong;
+    std::optional<Eased> best;
     for (const double struts : kSmoothedStruts) {
       const double width = rounded(struts * strut);
       if (width <= surface().smoothingWidth) continue;
       Scene changed = scene_;
       std::get<MeshRequest>(changed.surface).smoothingWidth = width;
-      if (tryCurvature(changed, fmt::format("surface.smoothing_width = {:g}", width))) return;
+      auto eased = tryCurvature(changed, fmt::format("surface.smoothing_width = {:g}", width));
+      if (!eased || (best && eased->curvature >= kWorthIt * best->curvature)) continue;
+      best = std::move(eased);
+      if (best->isAll) break;
     }
+    if (best) notices_.push_back(best->sentence);
   }
 
-  /// Names a change that leaves much less curvature; whether it leaves all that was asked for.
-  bool tryCurvature(const Scene& changed, const std::string& change) {
+  std::optional<Eased> tryCurvature(const Scene& changed, const std::string& change) const {
     try {
       const auto target = loadTarget(changed);
       const CurvatureRoom then = roomOn(*target, scene_.design);
       const CurvatureRoom now = roomOn(*designed_.target, scene_.design);
       const auto strong = [](const Target& of) { return curvatureAtCutoff(of.survey(), 0.95); };
-      if (strong(*target) < kWorthIt * strong(*designed_.target) ||
-          then.now.curvatureLimit < kWorthIt * now.now.curvatureLimit) {
-        notices_.push_back(fmt::format(
-            "{} leaves {:.3g} of curvature where it is strong (the cutoff 0.95), now {:.3g}: it "
-            "allows {}; now {}",
-            change, strong(*target), strong(*designed_.target), then.inWords(), now.inWords()));
+      if (strong(*target) >= kWorthIt * strong(*designed_.target) &&
+          then.now.curvatureLimit >= kWorthIt * now.now.curvatureLimit) {
+        return std::nullopt;
       }
-      return then.isAll;
+      return Eased{
+          fmt::format("{} leaves {:.3g} of curvature where it is strong (the cutoff 0.95), "
+                      "now {:.3g}: it allows {}; now {}",
+                      change, strong(*target), strong(*designed_.target), then.inWords(),
+                      now.inWords()),
+          then.now.curvatureLimit, then.isAll};
     } catch (const InputError&) {
-      return false;  // Not every mesh can be subdivided.
+      return std::nullopt;  // Not every mesh can be subdivided.
     }
   }
 

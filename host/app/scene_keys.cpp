@@ -72,7 +72,7 @@ SceneKeySection solverKeys() {
                               NumberRange{.low = 0, .high = 1, .lowIncluded = true}),
            .unit = "share",
            .meaning = "`\"multigrid\"` also stops when three iterations in a row could not have "
-                      "lowered the energy by more than this share of it, and `\"jacobi\"` does "
+                      "lowered the energy by more than this share of it, and the others do "
                       "not stop while more than this share is left. `0`: only the residual "
                       "counts."},
           {.name = "iteration_limit",

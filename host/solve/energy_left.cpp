@@ -1,5 +1,8 @@
 #include "solve/energy_left.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "energy/exact_hessian.h"
 #include "energy/strut_energy.h"
 
@@ -14,6 +17,11 @@ constexpr int kMostProducts = 200;
 // Steps in a row that add less than this share end the sum.
 constexpr double kLittleMore = 0.01;
 constexpr int kStepsOfLittle = 3;
+
+// What is left of the energy falls with the square of the residual; a new bound goes by that, but
+// by no more than this factor.
+constexpr double kLeastTightening = 0.5;
+constexpr double kMostTightening = 0.01;
 
 double dotOf(const Matrix3Xd& a, const Matrix3Xd& b) { return a.cwiseProduct(b).sum(); }
 
@@ -48,6 +56,20 @@ double energyLeft(const StrutGrid& grid, const Matrix3Xd& positions,
     slope = nextSlope;
   }
   return left * norm * norm;
+}
+
+double energyExcess(const StrutGrid& grid, const Matrix3Xd& positions, double energyTolerance,
+                    const Preconditioner& preconditioner) {
+  const StrutEnergy total(grid);
+  const double energy = std::abs(total.evaluate(positions).energy);
+  const double none = grid.spacing * grid.spacing *
+                      negligibleEnergy(total.meanStiffness(), grid.shape.vertexCount());
+  if (energyTolerance == 0 || energy <= none) return 0;
+  return energyLeft(grid, positions, preconditioner) / (energyTolerance * energy);
+}
+
+double tightened(double residual, double energyExcess) {
+  return residual * std::clamp(1 / std::sqrt(energyExcess), kMostTightening, kLeastTightening);
 }
 
 }  // namespace morphgrid

@@ -13,4 +13,12 @@ double negligibleEnergy(double meanStiffness, double vertexCount);
 double energyLeft(const StrutGrid& grid, const Eigen::Matrix3Xd& positions,
                   const Preconditioner& preconditioner);
 
+/// How many times what energyTolerance allows, as a share of the energy, is left: at most 1 at an
+/// end. 0 where energies do not count: with a tolerance of 0, and where there is none.
+double energyExcess(const StrutGrid& grid, const Eigen::Matrix3Xd& positions,
+                    double energyTolerance, const Preconditioner& preconditioner);
+
+/// The bound of the residual to go on to from a residual at which so much was left.
+double tightened(double residual, double energyExcess);
+
 }  // namespace morphgrid

@@ -30,10 +30,6 @@ constexpr long kLoadSweeps = 2000;       // It is taken after this many sweeps a
 constexpr double kSinglePrecisionResidual = 1e-6;
 constexpr int kLargestSubmission = 64;  // Checks recorded at once.
 constexpr double kSubmissionSeconds = 0.1;
-// What is left of the energy falls with the square of the residual; a new bound goes by that, but
-// by no more than this factor.
-constexpr double kLeastTightening = 0.5;
-constexpr double kMostTightening = 0.01;
 constexpr long kPatience = 20000;  // Sweeps without a new best residual that end the run.
 
 Buffer hostStorage(const Device& device, std::size_t bytes) {
@@ -248,19 +244,6 @@ int JacobiSolver::start(const std::optional<SolveCheckpoint>& from) {
   return from->phase;
 }
 
-/// A residual in units of the mean stiffness says nothing about what is much softer. The energy
-/// that is left, over what may be.
-double JacobiSolver::energyExcess(const Equilibrium& reached, double energyTolerance) const {
-  const double spacing = grid_.spacing;
-  const double none =
-      spacing * spacing * negligibleEnergy(energy_.meanStiffness(), grid_.shape.vertexCount());
-  if (energyTolerance == 0 || std::abs(reached.energy) <= none) {
-    return 0;
-  }
-  return energyLeft(grid_, reached.positions, vCyclePreconditioner(device_, deviceGrid_)) /
-         (energyTolerance * std::abs(reached.energy));
-}
-
 Equilibrium JacobiSolver::solve(const SolveOptions& options) {
   RunLog log(options, grid_.spacing * grid_.spacing);
   Equilibrium result;
@@ -283,16 +266,18 @@ Equilibrium JacobiSolver::solve(const SolveOptions& options) {
     const StrutEnergy::Value value = energy_.evaluate(result.positions);
     result.energy = value.energy;
     result.residual = energy_.residual(value.gradient);
+    // A residual in units of the mean stiffness says nothing about what is much softer.
     double excess = 1;
     if (result.residual <= options.tolerance) {
-      excess = energyExcess(result, options.energyTolerance);
+      excess = energyExcess(grid_, result.positions, options.energyTolerance,
+                            vCyclePreconditioner(device_, deviceGrid_));
       result.converged = excess <= 1;
     }
     if (const auto reason = log.reasonToStop()) {
       result.reason = *reason;
       break;
     }
-    tolerance *= std::clamp(1 / std::sqrt(excess), kMostTightening, kLeastTightening);
+    tolerance = tightened(tolerance, excess);
   }
   if (result.converged) {
     result.reason = StopReason::residual;

@@ -43,7 +43,6 @@ class JacobiSolver {
   void resetState(double tolerance);
   /// Uploads a checkpoint's positions, if there is one; returns the load step to begin with.
   int start(const std::optional<SolveCheckpoint>& from);
-  double energyExcess(const Equilibrium& reached, double energyTolerance) const;
   void runUntil(const SweepKernels& kernels, double tolerance, long sweepLimit, RunLog& log);
 
   const Device& device_;

@@ -12,6 +12,7 @@
 #include "energy/constant_matrix.h"
 #include "energy/strut_energy.h"
 #include "solve/checkpoint_pace.h"
+#include "solve/energy_left.h"
 
 namespace morphgrid {
 namespace {
@@ -129,11 +130,18 @@ Equilibrium solveReference(const StrutGrid& grid, const SolveOptions& options) {
   double bestResidual = std::numeric_limits<double>::infinity();
   double bestEnergy = std::numeric_limits<double>::infinity();
   long bestIteration = result.iterations;
+  double bound = options.tolerance;  // Lower where the energy does not rest at it.
   for (;; ++result.iterations) {
     result.energy = value.energy;
     result.residual = energy.residual(value.gradient);
     result.seconds = std::chrono::duration<double>(Clock::now() - start).count();
-    result.converged = result.residual <= options.tolerance;
+    if (result.residual <= bound) {
+      const double excess =
+          energyExcess(grid, result.positions, options.energyTolerance,
+                       [&](const Matrix3Xd& right) { return matrix.solve(right); });
+      result.converged = excess <= 1;
+      bound = tightened(result.residual, excess);
+    }
     const bool last = result.converged || result.iterations >= options.iterationLimit;
     if (last || result.iterations % kSampleEvery == 0) {
       result.history.push_back({result.iterations, result.energy, result.residual, result.seconds});

@@ -11,6 +11,7 @@
 #include "app/simulate_scene.h"
 #include "core/error.h"
 #include "core/interrupt.h"
+#include "energy/strut_energy.h"
 #include "solve/energy_left.h"
 #include "solve/reference_solver.h"
 
