@@ -87,6 +87,9 @@ double bestEnlargement(const std::vector<DesignedStrut>& struts, const StrutLay&
   const int steps =
       static_cast<int>(std::lround((kLargestEnlargement - kLeastEnlargement) / kEnlargementStep));
   const auto enlargementAt = [](int step) { return kLeastEnlargement + step * kEnlargementStep; };
+  if (std::get<0>(rankOf(struts, lay, scale, 1)) == 0) {
+    return 1;  // As the design has it.
+  }
   int best = 0;
   auto bestRank = rankOf(struts, lay, scale, enlargementAt(0));
   for (int step = 1; step <= steps; ++step) {

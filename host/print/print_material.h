@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <filesystem>
 #include <string>
 
@@ -11,6 +12,8 @@ struct Lay {
   double speed = 30;        ///< mm/s
   double change = 0;        ///< Of length along the strut, as a share; below 0 it shrinks.
   double heightChange = 0;  ///< As a share.
+
+  bool operator==(const Lay&) const = default;
 };
 
 /// A filament, how it is printed, and how a bath of hot water changes what was printed so.
@@ -32,6 +35,8 @@ struct PrintMaterial {
     int passes = 0;
     double passHeight = 0;  ///< mm
     double heightStep = 0;  ///< mm by which a pass is higher than the one below.
+
+    bool operator==(const StrutPasses&) const = default;
   } strut;
   Lay along;   ///< Lines along the strut: they shrink it most.
   Lay across;  ///< Lines across it: it shrinks least, or grows.
@@ -43,6 +48,8 @@ struct PrintMaterial {
     double change = 0;  ///< Of the diameter, as a share.
     double heightChange = 0;
     bool isMeasured = false;
+
+    bool operator==(const HubRings&) const = default;
   } hub;
 
   /// What carries hubs on to the tier above.
@@ -51,6 +58,8 @@ struct PrintMaterial {
     double speed = 20;
     double change = 0;  ///< Of the height, as a share.
     bool isMeasured = false;
+
+    bool operator==(const TubeRings&) const = default;
   } tube;
 
   /// The height of pass n, from 0, mm.
@@ -59,6 +68,12 @@ struct PrintMaterial {
   }
   /// Of a strut as printed, mm.
   double strutHeight() const { return strut.passes * strut.passHeight; }
+  /// The same after the bath: the higher of both lays.
+  double strutHeightSwollen() const {
+    return strutHeight() * (1 + std::max(along.heightChange, across.heightChange));
+  }
+
+  bool operator==(const PrintMaterial&) const = default;
 };
 
 /// All keys of material files, section by section: readPrintMaterial() and docs/printing_format.md

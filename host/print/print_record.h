@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "print/print_plan.h"
+#include "print/print_verdict.h"
 #include "print/write_tier.h"
 
 namespace morphgrid {
@@ -28,12 +29,10 @@ struct PrintRecord {
   std::vector<TierFigures> tiers;  ///< The bottom one first.
   std::optional<LaidShape> shape;  ///< None where it could not be simulated.
   std::vector<std::string> notices{};
+  PrintVerdict verdict{};
 };
 
-/// "printable: yes", or "printable: no, because ..." with counts and ways out.
-std::string printVerdict(const PrintRecord& record);
-
-/// A short table for the terminal, the verdict last.
+/// A short table for the terminal.
 std::string printTable(const PrintRecord& record);
 
 /// print.json.

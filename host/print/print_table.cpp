@@ -107,7 +107,6 @@ std::string printTable(const PrintRecord& record) {
   addRange(rows, record.plan);
   addTiers(rows, record);
   if (record.shape) addShape(rows, *record.shape);
-  rows.line(printVerdict(record));
   return rows.text();
 }
 
