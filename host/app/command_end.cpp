@@ -1,5 +1,6 @@
 #include "app/command_end.h"
 
+#include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
 #include "core/visible_text.h"
@@ -26,6 +27,12 @@ int exitCodeOf(const RunRecord& record) {
 void logNotices(const RunRecord& record) {
   for (const std::string& notice : record.notices) {
     spdlog::warn(visibleText(notice, "\n"));
+  }
+}
+
+void tellVerdict(const PrintVerdict& verdict) {
+  if (const std::string line = verdict.line(); !line.empty()) {
+    fmt::print("{}\n", visibleText(line));
   }
 }
 

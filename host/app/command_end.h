@@ -1,4 +1,5 @@
 #pragma once
+#include "print/print_verdict.h"
 #include "report/run_record.h"
 
 namespace morphgrid {
@@ -14,6 +15,10 @@ enum ExitCode {
 
 /// Warns of what the user should know of a run.
 void logNotices(const RunRecord& record);
+
+/// The last line of a run: whether what it came to can be printed, or is of use; none where there
+/// is nothing to say.
+void tellVerdict(const PrintVerdict& verdict);
 
 /// The exit code of a run that has just been made; says what helps where it did not converge.
 int conclude(const RunRecord& record);

@@ -68,8 +68,17 @@ double meanOf(const LateralField<double>& values) {
   return sum / values.shape().lateralStrutCount();
 }
 
-/// Adds the sheet of a design that is otherwise complete.
-void layOut(SceneDesign& designed, const ShrinkRange& shrink, const Cancellation& cancellation) {
+/// Where its sheet is laid out, the scale at which a grid is printed, and the bars' sizes and the
+/// lengths that follow from it depend on each other, but little.
+constexpr int kScaleRounds = 4;
+
+/// What lengths are designed from.
+struct Measured {
+  const SurfaceMeasurement& surface;
+  const GridSize& size;
+};
+
+void layOut(SceneDesign& designed, const ShrinkBounds& shrink, const Cancellation& cancellation) {
   const GridDesign& design = designed.design;
   const SheetProblem problem{.layer = design.rest.front().shape(),
                              .points = *designed.targets,
@@ -80,8 +89,53 @@ void layOut(SceneDesign& designed, const ShrinkRange& shrink, const Cancellation
   const SheetFigures figures = computeSheetFigures(problem, sheet, design.layerSpacing);
   designed.angleErrors = printedAngleErrors(problem, sheet);
   designed.sheet = LaidSheet{std::move(sheet), figures};
-  const auto advice = adviseOn(figures, shrink);
-  designed.notices.insert(designed.notices.end(), advice.begin(), advice.end());
+}
+
+/// The rest lengths, and the sheet of Layout::conformal, of a grid that is printed at this scale.
+void designLengths(SceneDesign& designed, const Scene& scene, const Measured& measured,
+                   const std::optional<double>& mmPerUnit, const Cancellation& cancellation) {
+  const DesignRequest& request = scene.design;
+  const SurfaceMeasurement& surface = measured.surface;
+  const double barHeight =
+      scene.material.model == Model::frame
+          ? barSizesOf(materialOf(scene, mmPerUnit), meanOf(surface.chords)).height
+          : 0;
+  designed.stack = {request.layers, measured.size.layerSpacing, barHeight};
+  designed.design = request.reference == Reference::convex
+                        ? designGrid(surface, measured.size, request.layers)
+                        : designOnOffsets(surface, designed.normals, designed.stack);
+  if (request.layout == Layout::conformal) {
+    layOut(designed, shrinkBoundsOf(scene, mmPerUnit), cancellation);
+  }
+}
+
+/// About the sheet of a target: a rectangle as long as its longest isolines, enlarged by half of
+/// what the material loses.
+Eigen::Matrix2Xd roughSheet(const Scene& scene, const SurfaceSurvey& survey) {
+  const double larger = 1 / (1 - scene.design.maxShrinkage / 2);
+  Eigen::Matrix2Xd corners(2, 2);
+  corners << 0, larger * survey.longestIsolineU, 0, larger * survey.longestIsolineV;
+  return corners;
+}
+
+/// Where the scene leaves the scale out, and a sheet is laid out, by turns: lengths and sheet for a
+/// scale, then the scale for the sheet.
+void designForPrint(SceneDesign& designed, const Scene& scene, const Measured& measured,
+                    const SurfaceSurvey& survey, const Cancellation& cancellation) {
+  std::optional<double> scale = mmPerUnitOf(scene, roughSheet(scene, survey));
+  designLengths(designed, scene, measured, scale, cancellation);
+  if (scene.print && scene.print->tools.request.scale) {
+    designed.mmPerUnit = scale;
+  }
+  if (!scene.print || !designed.sheet || designed.mmPerUnit) {
+    return;
+  }
+  designed.mmPerUnit = mmPerUnitOf(scene, designed.sheet->sheet.positions);
+  for (int round = 1; round < kScaleRounds && designed.mmPerUnit != scale; ++round) {
+    scale = designed.mmPerUnit;
+    designLengths(designed, scene, measured, scale, cancellation);
+    designed.mmPerUnit = mmPerUnitOf(scene, designed.sheet->sheet.positions);
+  }
 }
 
 /// Nodes that Eq. 23 has raised may be so close that their rays find what those asked for do not.
@@ -114,34 +168,30 @@ SceneDesign designFor(const Scene& scene, const std::shared_ptr<const Target>& t
   const ChosenNet chosen = naming(size, request, survey, [&] {
     return chooseNet(map, size, request, [&](const Net& net) { return sampler->points(net); });
   });
-  SurfaceMeasurement measurement = sampler->measure(chosen.net, chosen.points, size.curvatureLimit);
+  const SurfaceMeasurement measurement = sampler->measure(chosen.net, chosen.points, size.curvatureLimit);
   Eigen::Matrix3Xd normals;
   if (request.reference == Reference::middle || request.layout == Layout::conformal) {
     normals = sampler->normals(chosen.net);
   }
-  const double barHeight = scene.material.model == Model::frame
-                               ? barSizesOf(scene.material, meanOf(measurement.chords)).height
-                               : 0;
-  const LayerStack stack{request.layers, size.layerSpacing, barHeight};
-  GridDesign design = request.reference == Reference::convex
-                          ? designGrid(measurement, size, request.layers)
-                          : designOnOffsets(measurement, normals, stack);
   SceneDesign designed{target,
-                       std::move(design),
+                       {},
                        MeasurementFigures{survey.longestIsolineU, survey.longestIsolineV,
                                           survey.largestCurvature(), size.layerSpacingLimit,
                                           size.fewestNodes, listCutoffConsequences(survey, request),
                                           suggestCutoff(survey, request), target->curvatureNoise()},
                        chosen.figures,
-                       std::move(measurement.points),
+                       measurement.points,
                        std::move(normals),
-                       stack,
+                       {},
                        {},
                        sampler->meshFigures(),
                        target->notices()};
   designed.notices.insert(designed.notices.end(), size.notices.begin(), size.notices.end());
-  if (request.layout == Layout::conformal) {
-    layOut(designed, shrinkRangeOf(scene), cancellation);
+  designForPrint(designed, scene, {measurement, size}, survey, cancellation);
+  if (designed.sheet) {
+    const auto advice =
+        adviseOn(designed.sheet->figures, shrinkBoundsOf(scene, designed.mmPerUnit));
+    designed.notices.insert(designed.notices.end(), advice.begin(), advice.end());
   }
   addNotices(designed.notices, chosen, request, designed.design);
   return designed;
@@ -155,8 +205,12 @@ SceneDesign designScene(const Scene& scene, const std::shared_ptr<const Target>&
       return designFor(scene, target, cancellationOf(scene));
     }
     const auto& bendAngles = std::get<BendAngleRequest>(scene.surface);
-    return {nullptr,
-            designFromBendAngles(bendAngles, scene.design.layers, scene.design.layerSpacing)};
+    SceneDesign designed{
+        nullptr, designFromBendAngles(bendAngles, scene.design.layers, scene.design.layerSpacing)};
+    if (scene.print) {
+      designed.mmPerUnit = scene.print->tools.request.scale;
+    }
+    return designed;
   } catch (const InputError& error) {
     throw InputError(fmt::format("{}: {}", scene.file.string(), error.what()));
   }
@@ -170,11 +224,12 @@ std::shared_ptr<const SceneDesign> DesignKeeper::designOf(
     const Scene& scene, const std::shared_ptr<const Target>& target) {
   // Bend angles have no target: they are the surface's own keys.
   if (!design_ || design_->target != target || surface_ != scene.surface ||
-      request_ != scene.design || material_ != scene.material) {
+      request_ != scene.design || material_ != scene.material || print_ != scene.print) {
     design_ = std::make_shared<const SceneDesign>(designScene(scene, target));
     surface_ = scene.surface;
     request_ = scene.design;
     material_ = scene.material;
+    print_ = scene.print;
   }
   return design_;
 }

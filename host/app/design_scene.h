@@ -26,6 +26,9 @@ struct SceneDesign {
   View ownView = kPatchView;         ///< Where there is no target to say it.
   /// layerVertexCount, rad, of Layout::conformal: see printedAngleErrors(); else empty.
   Eigen::VectorXd angleErrors{};
+  /// At which the grid is printed; with [print], and where the scene says it or the sheet is laid
+  /// out. Else the sheet that the stage in the plane leaves tells.
+  std::optional<double> mmPerUnit{};
 
   /// From where the morphed grid is seen best.
   View view() const { return target ? target->view() : ownView; }
@@ -48,6 +51,7 @@ class DesignKeeper {
   SurfaceRequest surface_;
   DesignRequest request_;
   MaterialRequest material_;
+  std::optional<ScenePrint> print_;
   std::shared_ptr<const SceneDesign> design_;
 };
 

@@ -8,6 +8,7 @@
 #include "app/scene.h"
 #include "app/state_argument.h"
 #include "core/interrupt.h"
+#include "report/judge_run.h"
 #include "report/report_table.h"
 
 namespace morphgrid {
@@ -46,6 +47,7 @@ int makeFiguresOf(const FiguresArguments& arguments) {
   if (!options.quiet) {
     logNotices(record.run);
     fmt::print("{}figures in {}\n", toTable(record.run), options.sheet.string());
+    tellVerdict(judgeRun(record.run));
   }
   if (record.run.deviceFailure) {
     fmt::print(stderr, "device failure: {}\nwhat was drawn before is in {}\n",

@@ -3,6 +3,8 @@
 #include "app/commands.h"
 #include "app/propose_files.h"
 #include "core/error.h"
+#include "print/print_material.h"
+#include "print/printer.h"
 
 namespace morphgrid {
 namespace {
@@ -10,17 +12,40 @@ namespace {
 struct NewArguments {
   ProposalRequest request;
   std::filesystem::path folder;
-  std::vector<double> shrinkPercent;
+  std::vector<std::string> material;  ///< A file, or two numbers in %.
   bool isQuiet = false;
 };
 
-int propose(const NewArguments& arguments) {
-  ProposalRequest request = arguments.request;
-  if (!arguments.shrinkPercent.empty()) {
-    request.shrink = {arguments.shrinkPercent[0] / 100, arguments.shrinkPercent[1] / 100};
+double percentOf(const std::string& text) {
+  double percent = 0;
+  if (!CLI::detail::lexical_cast(text, percent) || !(percent >= -99 && percent <= 99)) {
+    throw InputError("--material: " + text +
+                     " must be a number from -99 to 99, in %; or name a material file");
+  }
+  return percent;
+}
+
+void readMaterialInto(ProposalRequest& request, const std::vector<std::string>& material) {
+  if (material.size() == 1) {
+    const PrintMaterial file = readPrintMaterial(material.front());
+    request.shrink = {-file.across.change, -file.along.change};
+    request.materialFile = material.front();
+  } else if (material.size() == 2) {
+    request.shrink = {percentOf(material[0]) / 100, percentOf(material[1]) / 100};
     if (request.shrink.least >= request.shrink.most) {
       throw InputError("--material LEAST MOST: the least must be less than the most");
     }
+  }
+}
+
+int propose(const NewArguments& arguments) {
+  ProposalRequest request = arguments.request;
+  readMaterialInto(request, arguments.material);
+  if (!request.printerFile.empty()) {
+    if (request.materialFile.empty()) {
+      throw InputError("--printer needs --material FILE, what it prints with");
+    }
+    readPrinter(request.printerFile);  // Its faults are told before the mesh is looked at.
   }
   const ProposedFiles files = proposeFiles(request, arguments.folder, arguments.isQuiet);
   if (!arguments.isQuiet) tellProposal(files);
@@ -42,12 +67,13 @@ void addNewCommand(CLI::App& app, Action& action) {
   command->add_option("--nodes", request.nodesLong, "nodes along the longer side [20]")
       ->check(CLI::Range(4, 1000));
   command
-      ->add_option("--material", arguments->shrinkPercent,
-                   "what printed struts lose of their length at the least and at the most, in % "
-                   "[2 40, as PLA does]")
-      ->type_name("LEAST MOST")
-      ->expected(2)
-      ->check(CLI::Range(-99.0, 99.0));
+      ->add_option("--material", arguments->material,
+                   "a material file, e.g. materials/pla_0.08.toml; or what printed struts lose of "
+                   "their length at the least and at the most, in % [2 40, as PLA does]")
+      ->type_name("FILE | LEAST MOST")
+      ->expected(1, 2);
+  command->add_option("--printer", request.printerFile,
+                      "a printer file, e.g. printers/prusa_mk4.toml: the scene then has a [print]");
   command->add_flag("--paper", request.isPapers, "the paper's design: springs, lengths by formula");
   addQuietFlag(*command, arguments->isQuiet);
   command->callback([&action, arguments] { action = [=] { return propose(*arguments); }; });

@@ -13,19 +13,6 @@
 #include "render/spread_layers.h"
 
 namespace morphgrid {
-namespace {
-
-StrutValues dividedBy(StrutValues values, double divisor) {
-  for (std::vector<double>* direction : {&values.u, &values.v, &values.w}) {
-    for (double& value : *direction) {
-      value /= divisor;
-    }
-  }
-  return values;
-}
-
-}  // namespace
-
 Pictures::Pictures(const Device& device, const PictureOptions& picture, ShowPanel show,
                    View resultView)
     : device_(device),
@@ -34,6 +21,13 @@ Pictures::Pictures(const Device& device, const PictureOptions& picture, ShowPane
       resultView_(std::move(resultView)),
       renderer_(device, size_.width, size_.height) {
   Font::findSans();  // A missing font is reported before the solve, not after it.
+}
+
+std::optional<ScaleBar> Pictures::scaleBar(const Camera& camera,
+                                           const Eigen::Matrix3Xd& seen) const {
+  const Eigen::Vector3d middle =
+      (seen.rowwise().maxCoeff() + seen.rowwise().minCoeff()) / 2;
+  return scaleBarAt(camera, middle, size_.height, kScaleBarShare * size_.width, unit_);
 }
 
 Camera Pictures::frame(const Eigen::Matrix3Xd& points, const View& view) const {
@@ -52,9 +46,13 @@ void Pictures::drawSampling(const TriangleMesh& mesh, const RayHits& hits) const
 
 void Pictures::drawFlat(const std::string& name, const std::string& caption,
                         const DeviceGrid& deviceGrid, const Eigen::Matrix3Xd& positions) {
-  const auto inPlace = Eigen::Isometry3d::Identity();
-  show_(name, {renderer_.drawStruts(deviceGrid, inPlace, frame(positions, kPatchView)), caption,
-               strainLegend()});
+  const Camera camera = frame(positions, kPatchView);
+  const Eigen::Vector2d size =
+      unit_.perSceneUnit *
+      (positions.rowwise().maxCoeff() - positions.rowwise().minCoeff()).head<2>();
+  show_(name, {renderer_.drawStruts(deviceGrid, Eigen::Isometry3d::Identity(), camera),
+               fmt::format("{}, {:.4g} x {}", caption, size.x(), unit_.text(size.y())),
+               strainLegend(), scaleBar(camera, positions)});
 }
 
 void Pictures::drawInitial(const DeviceGrid& deviceGrid, const Eigen::Matrix3Xd& positions) {
@@ -69,15 +67,18 @@ void Pictures::drawStacked(const DeviceGrid& deviceGrid, const Eigen::Matrix3Xd&
   drawFlat("stacked", "stacked: all layers, before the morph", deviceGrid, positions);
 }
 
-void Pictures::drawShrink(const StrutGrid& stacked, double maxShrinkage) const {
+void Pictures::drawShrink(const StrutGrid& stacked, const ShrinkBounds& bounds) const {
   const StrutGrid layers = spreadLayers(stacked, size_.aspect());
   const DeviceGrid deviceGrid(device_, layers);
+  const Camera camera = frame(layers.positions, kTopView);
   show_("shrink",
-        {drawStrutShares(device_, deviceGrid, dividedBy(computeShrinks(stacked), maxShrinkage),
-                         frame(layers.positions, kTopView), size_.width, size_.height),
-         fmt::format("shrink: layers side by side, bottom first; 100 % is the allowed {:g} %",
-                     100 * maxShrinkage),
-         shrinkLegend()});
+        {drawStrutShares(device_, deviceGrid, computeShrinkShares(stacked, bounds), camera,
+                         size_.width, size_.height),
+         fmt::format("shrink: layers side by side, bottom first; 100 % is {}",
+                     bounds.hubDiameter > 0
+                         ? std::string("what each strut can")
+                         : fmt::format("the allowed {:g} %", 100 * bounds.material.most)),
+         shrinkLegend(), scaleBar(camera, layers.positions)});
 }
 
 void Pictures::drawDistance(const PlacedGrid& result, const DeviceGrid& target,
@@ -90,7 +91,8 @@ void Pictures::drawDistance(const PlacedGrid& result, const DeviceGrid& target,
                                        {target, Eigen::Isometry3d::Identity()}, camera, size_.width,
                                        size_.height),
                      "distance to the overlaid target: % of its diagonal, and length",
-                     distanceLegend(largest, 100 * largest / diagonal)});
+                     distanceLegend(largest, 100 * largest / diagonal),
+                     scaleBar(camera, targets)});
 }
 
 void Pictures::drawResult(const DeviceGrid& deviceGrid, const Eigen::Matrix3Xd& positions,
@@ -103,16 +105,20 @@ void Pictures::drawResult(const DeviceGrid& deviceGrid, const Eigen::Matrix3Xd& 
     seen.rightCols(targets->cols()) = *targets;
   }
   const Camera camera = frame(seen, resultView_);
+  const std::optional<ScaleBar> bar = scaleBar(camera, seen);
   show_("warped", {renderer_.drawStruts(deviceGrid, targetFromGrid, camera),
-                   "warped: struts by strain", strainLegend()});
-  show_(
-      "surface",
-      {renderer_.drawSurface(deviceGrid, targetFromGrid, camera), "surface: the middle layer", {}});
+                   "warped: struts by strain", strainLegend(), bar});
+  show_("surface", {renderer_.drawSurface(deviceGrid, targetFromGrid, camera),
+                    "surface: the middle layer",
+                    {},
+                    bar});
   if (targets) {
     const StrutGrid grid = layerAtRest(deviceGrid.shape(), deviceGrid.spacing(), *targets);
     const DeviceGrid target(device_, grid);
-    show_("target",
-          {renderer_.drawSurface(target, Eigen::Isometry3d::Identity(), camera), "target", {}});
+    show_("target", {renderer_.drawSurface(target, Eigen::Isometry3d::Identity(), camera),
+                     "target",
+                     {},
+                     bar});
     drawDistance({deviceGrid, targetFromGrid}, target, middleLayer(deviceGrid.shape(), aligned),
                  *targets, camera);
   }

@@ -3,6 +3,7 @@
 #include <optional>
 #include <string>
 
+#include "grid/shrink.h"
 #include "render/draw_shares.h"
 #include "render/sheet.h"
 #include "render/strain_renderer.h"
@@ -13,12 +14,15 @@ namespace morphgrid {
 /// What becomes of a drawn panel; its name is that of a file without an extension.
 using ShowPanel = std::function<void(const std::string& name, const Panel& panel)>;
 
-/// Draws the panels of a run, from the solver's buffers.
+/// Draws the panels of a run, from the solver's buffers, with scale bars.
 class Pictures {
  public:
   /// picture: its size. resultView: where drawResult() looks from.
   Pictures(const Device& device, const PictureOptions& picture, ShowPanel show,
            View resultView = kPatchView);
+
+  /// From now on lengths are told in it; before in the scene's.
+  void tellLengthsIn(const LengthUnit& unit) { unit_ = unit; }
 
   /// How rays sampled a mesh (sampling).
   void drawSampling(const TriangleMesh& mesh, const RayHits& hits) const;
@@ -31,7 +35,7 @@ class Pictures {
 
   /// The lateral struts of the printed layers, drawn apart, by how much of what they can shrink
   /// they use (shrink).
-  void drawShrink(const StrutGrid& stacked, double maxShrinkage) const;
+  void drawShrink(const StrutGrid& stacked, const ShrinkBounds& bounds) const;
 
   /// The morphed struts (warped), the surface of the middle layer (surface) and, where there is a
   /// target, that (target) and the distance to it (distance), all seen by the same camera.
@@ -42,6 +46,7 @@ class Pictures {
  private:
   void drawFlat(const std::string& name, const std::string& caption, const DeviceGrid& deviceGrid,
                 const Eigen::Matrix3Xd& positions);
+  std::optional<ScaleBar> scaleBar(const Camera& camera, const Eigen::Matrix3Xd& seen) const;
   Camera frame(const Eigen::Matrix3Xd& points, const View& view) const;
   void drawDistance(const PlacedGrid& result, const DeviceGrid& target,
                     const Eigen::Matrix3Xd& alignedMiddle, const Eigen::Matrix3Xd& targets,
@@ -52,6 +57,7 @@ class Pictures {
   ShowPanel show_;
   View resultView_;
   StrainRenderer renderer_;
+  LengthUnit unit_{.perSceneUnit = 1, .name = "units", .nameOfOne = "unit"};
 };
 
 }  // namespace morphgrid

@@ -27,6 +27,7 @@ constexpr int kSurfaceRefinement = 4;  // Cells per grid cell, along u and v, of
 void writePicture(const std::filesystem::path& path, const Panel& panel, PictureOptions options) {
   options.caption = panel.caption;
   options.legend = panel.legend;
+  options.scaleBar = panel.scaleBar;
   writePng(path, composePicture(panel.scene, options));
 }
 

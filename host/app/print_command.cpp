@@ -1,5 +1,8 @@
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
+#include <toml++/toml.h>
+
+#include <sstream>
 
 #include "app/command_end.h"
 #include "app/command_options.h"
@@ -11,10 +14,41 @@
 namespace morphgrid {
 namespace {
 
+/// Options that stand for keys of [print].
+struct PrintKeys {
+  std::filesystem::path printer;
+  std::filesystem::path material;
+  std::optional<double> scale, pin, clearance;
+  std::optional<int> loops, passes;
+};
+
 struct PrintArguments {
   SceneArguments scene;
+  PrintKeys keys;
   PrintOptions options;
 };
+
+/// As --set has them.
+std::vector<std::string> overridesOf(const PrintKeys& keys) {
+  std::vector<std::string> overrides;
+  const auto add = [&](const char* name, const auto& value) {
+    if (value) overrides.push_back(fmt::format("print.{}={}", name, *value));
+  };
+  const auto addFile = [&](const char* name, const std::filesystem::path& file) {
+    if (file.empty()) return;
+    std::ostringstream quoted;
+    quoted << toml::value<std::string>(std::filesystem::absolute(file).string());
+    overrides.push_back(fmt::format("print.{}={}", name, quoted.str()));
+  };
+  addFile("printer", keys.printer);
+  addFile("material", keys.material);
+  add("scale", keys.scale);
+  add("pin", keys.pin);
+  add("clearance", keys.clearance);
+  add("loops", keys.loops);
+  add("passes", keys.passes);
+  return overrides;
+}
 
 PrintOutcome printStored(const std::filesystem::path& state, PrintOptions& options) {
   if (options.outputFolder.empty()) {
@@ -24,7 +58,9 @@ PrintOutcome printStored(const std::filesystem::path& state, PrintOptions& optio
 }
 
 PrintOutcome printAnew(const SceneArguments& arguments, PrintOptions& options) {
-  const Scene scene = loadScene(arguments.scene, arguments.overrides);
+  std::vector<std::string> overrides = arguments.overrides;
+  overrides.insert(overrides.end(), options.overrides.begin(), options.overrides.end());
+  const Scene scene = loadScene(arguments.scene, overrides);
   if (options.outputFolder.empty()) {
     options.outputFolder = std::filesystem::path("out") / scene.name / "print";
   }
@@ -37,6 +73,7 @@ int printGrid(const PrintArguments& arguments) {
     refuseOverrides(arguments.scene.scene, *state, arguments.scene.overrides);
   }
   PrintOptions options = arguments.options;
+  options.overrides = overridesOf(arguments.keys);
   installInterruptHandler();
   const PrintOutcome outcome =
       state ? printStored(*state, options) : printAnew(arguments.scene, options);
@@ -45,6 +82,7 @@ int printGrid(const PrintArguments& arguments) {
     if (!state) logNotices(outcome.run);
     for (const std::string& notice : printNotices(record)) spdlog::warn(notice);
     fmt::print("{}G-code in {}\n", printTable(record), options.outputFolder.string());
+    tellVerdict(record.verdict);
   }
   if (outcome.run.deviceFailure) {
     fmt::print(stderr, "device failure: {}\nwhat is laid was not simulated to the end\n",
@@ -52,31 +90,30 @@ int printGrid(const PrintArguments& arguments) {
   }
   const int exitCode =
       state && !outcome.run.deviceFailure ? concludeFinished(outcome.run) : conclude(outcome.run);
-  const bool isInRange = record.plan.figures.outOfRange.empty();
-  return exitCode == kConverged && !isInRange ? kNotConverged : exitCode;
+  return exitCode == kConverged && !record.verdict.isGood() ? kNotConverged : exitCode;
 }
 
-void addRequestOptions(CLI::App& command, PrintRequest& request) {
+void addKeyOptions(CLI::App& command, PrintKeys& keys) {
+  command.add_option("--printer", keys.printer,
+                     "a printer file, e.g. printers/prusa_mk4.toml [the scene's print.printer, as "
+                     "the others have their keys]");
+  command.add_option("--material", keys.material,
+                     "a material file, e.g. materials/pla_0.08.toml");
   command
-      .add_option("--scale", request.scale,
+      .add_option("--scale", keys.scale,
                   "mm of the finished object per unit of the scene [the largest that fits]")
       ->check(CLI::PositiveNumber);
   command
-      .add_option(
-          "--enlarge", request.enlargement,
-          "how much larger than the run's sheet it is printed [by the fewest struts out of range]")
-      ->check(CLI::Range(0.5, 2.0));
-  command
-      .add_option("--pin", request.pin,
+      .add_option("--pin", keys.pin,
                   "diameter of the pins through hubs and tubes, mm [1.75, filament]")
       ->check(CLI::Range(0.2, 20.0));
   command
-      .add_option("--clearance", request.clearance, "by how much wider their holes are, mm [0.2]")
+      .add_option("--clearance", keys.clearance, "by how much wider their holes are, mm [0.2]")
       ->check(CLI::Range(0.0, 5.0));
-  command.add_option("--loops", request.loops, "rings of a hub beside each other [2]")
+  command.add_option("--loops", keys.loops, "rings of a hub beside each other [2]")
       ->check(CLI::Range(1, 10));
   command
-      .add_option("--passes", request.passes,
+      .add_option("--passes", keys.passes,
                   "of a strut on top of each other [as the material has it]")
       ->check(CLI::Range(1, 1000));
 }
@@ -89,12 +126,12 @@ void addPrintCommand(CLI::App& app, Action& action) {
   CLI::App* command = app.add_subcommand(
       "print", "G-code for each tier of a designed grid, and whether it can be printed");
   addSceneOrRunArguments(*command, arguments->scene);
-  command->add_option("--printer", options.printer, "a printer file, e.g. printers/prusa_mk4.toml")
-      ->required();
+  addKeyOptions(*command, arguments->keys);
   command
-      ->add_option("--material", options.material, "a material file, e.g. materials/pla_0.08.toml")
-      ->required();
-  addRequestOptions(*command, options.request);
+      ->add_option("--enlarge", options.enlargement,
+                   "how much larger than the run's sheet it is printed [1, or what leaves the "
+                   "fewest struts out of range]")
+      ->check(CLI::Range(0.5, 2.0));
   command->add_option("--out", options.outputFolder,
                       "output folder [out/SCENE/print, or print in the run's folder]");
   command->add_flag("--plain", options.files.isPlain, "leave out the comments that name struts");

@@ -9,10 +9,9 @@
 namespace morphgrid {
 
 struct PrintOptions {
-  std::filesystem::path printer;
-  std::filesystem::path material;
   std::filesystem::path outputFolder;
-  PrintRequest request;
+  std::vector<std::string> overrides;  ///< Of the keys of [print] of a finished run.
+  std::optional<double> enlargement;   ///< See PrintRequest.
   PrintFileChoices files;
   DeviceOptions device;
   bool quiet = false;  ///< No progress.

@@ -42,6 +42,34 @@ void addGrid(Digest& digest, const StrutGrid& grid) {
   if (grid.printedCorners) digest.addList(allOf(*grid.printedCorners));
 }
 
+/// What bounds inverse design, and all that it follows from.
+void addShrinkage(Digest& digest, const Scene& scene) {
+  const bool isEnforced = scene.design.enforceShrinkage;
+  digest.add(isEnforced ? scene.design.maxShrinkage : 0.0);
+  digest.add(isEnforced ? scene.material.leastShrinkage : 0.0);
+  if (!scene.print) return;
+  const PrintTools& tools = scene.print->tools;
+  const ShrinkBounds bounds = shrinkBoundsOf(tools, 1);
+  const PrintedBars bars = printedBarsOf(tools);
+  for (const double value :
+       {bounds.material.least, bounds.material.most, bounds.hub, bounds.hubDiameter, bars.width,
+        bars.height, tools.request.scale.value_or(0), tools.printer.bedX, tools.printer.bedY,
+        tools.printer.margin}) {
+    digest.add(value);
+  }
+}
+
+std::string describePrint(const Scene& scene) {
+  if (!scene.print) {
+    return "none";
+  }
+  const PrintTools& tools = scene.print->tools;
+  return fmt::format("{} on {}, hubs of {:.2f} mm, {}", tools.material.name, tools.printer.name,
+                     2 * printedBarsOf(tools).joint,
+                     tools.request.scale ? fmt::format("{:g} mm per unit", *tools.request.scale)
+                                         : "as large as fits");
+}
+
 std::string describeWeight(const MaterialRequest& material) {
   if (!material.gravity) {
     return "none";
@@ -76,14 +104,13 @@ std::string digestOfProblem(const Scene& scene, const SceneDesign& designed) {
   if (designed.design.layers > 1) {
     // On the sheet as it is before the stage in the plane: where that ends is in the checkpoint.
     StrutGrid stacked = stackedGrid(designed.design, scene.weights, scene.scaling, flat.positions);
-    applyMaterial(stacked, scene.material);
+    applyMaterial(stacked, materialOf(scene, designed.mmPerUnit));
     addGrid(digest, stacked);
     if (designed.sheet) {
       const Eigen::Matrix2Xd& sheet = designed.sheet->sheet.positions;
       digest.addList(std::span(sheet.data(), static_cast<std::size_t>(sheet.size())));
     }
-    digest.add(scene.design.enforceShrinkage ? scene.design.maxShrinkage : 0.0);
-    digest.add(scene.design.enforceShrinkage ? scene.material.leastShrinkage : 0.0);
+    addShrinkage(digest, scene);
     digest.add(scene.design.maxStrain.value_or(0));
     digest.addList(allOf(designed.targets.value_or(Eigen::Matrix3Xd(3, 0))));
   }
@@ -116,6 +143,7 @@ ProblemIdentity identifyProblem(const Scene& scene, const SceneDesign& designed)
            request.enforceShrinkage
                ? fmt::format("{} to {}", scene.material.leastShrinkage, request.maxShrinkage)
                : "none"},
+          {"print", describePrint(scene)},
           {"largest strain", request.maxStrain ? fmt::format("{}", *request.maxStrain) : "none"},
       },
   };

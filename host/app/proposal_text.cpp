@@ -36,6 +36,8 @@ std::string transformsOf(const Placement& placement) {
   return "transforms = [\n" + steps + "]\n";
 }
 
+bool isPrinted(const ProposalRequest& request) { return !request.printerFile.empty(); }
+
 std::string surfaceText(const SceneProposal& proposal,
                         const std::filesystem::path& meshConfiguration) {
   const SceneProposal& p = proposal;
@@ -52,18 +54,22 @@ std::string surfaceText(const SceneProposal& proposal,
       percent(p.share), boxAsToml(*p.surface.box), p.surface.fillHoles);
 }
 
-std::string gridText(const DesignRequest& design, bool isPapers) {
+std::string gridText(const DesignRequest& design, const ProposalRequest& request) {
+  const bool isPapers = request.isPapers;
   return fmt::format(
       "[grid]\n"
       "layers = {}\n"
       "layer_spacing = {} # {}\n"
       "nodes_long = {} # Along the longer side; more are finer and slower.\n"
-      "max_shrinkage = {} # What the material can lose of its length: PLA about 0.4.\n"
-      "{}",
+      "{}{}",
       design.layers, design.layerSpacing,
       isPapers ? "As far as Eq. 21 allows, or a third of a strut."
                : "About a third of a strut, less where the surface curves too strongly (Eq. 21).",
-      design.nodesLong, design.maxShrinkage,
+      design.nodesLong,
+      isPrinted(request) ? ""
+                         : fmt::format("max_shrinkage = {} # What the material can lose of its "
+                                       "length: PLA about 0.4.\n",
+                                       design.maxShrinkage),
       design.curvatureCutoff < 1
           ? fmt::format("curvature_cutoff = {} # Stronger curvature, on creases, neither thins the "
                         "layers nor adds nodes.\n",
@@ -82,8 +88,8 @@ std::string netText(const SceneProposal& proposal) {
 std::string trueDesignText(const SceneProposal& proposal) {
   return fmt::format(
       "\n[material]\n"
-      "model = \"frame\" # Welded bars, as printed grids are; a fifth of a strut wide.\n"
-      "least_shrinkage = {} # What every strut loses at the least.\n\n"
+      "model = \"frame\" # Welded bars, as printed grids are{}.\n"
+      "{}\n"
       "[design]\n"
       "{}"
       "# Lengths that bring the simulated grid to its shape, every strut within the material's "
@@ -91,8 +97,28 @@ std::string trueDesignText(const SceneProposal& proposal) {
       "compensate = {}\n"
       "optimise = {}\n"
       "enforce_shrinkage = true\n",
-      proposal.material.leastShrinkage, netText(proposal), proposal.design.compensateRounds,
+      isPrinted(proposal.request) ? "" : "; a fifth of a strut wide",
+      isPrinted(proposal.request)
+          ? ""
+          : fmt::format("least_shrinkage = {} # What every strut loses at the least.\n",
+                        proposal.material.leastShrinkage),
+      netText(proposal), proposal.design.compensateRounds,
       proposal.design.optimiseSteps);
+}
+
+std::string printText(const ProposalRequest& request) {
+  if (!isPrinted(request)) {
+    return "";
+  }
+  return fmt::format(
+      "\n# Every strut keeps to what the material can at its length; bars are as wide and high as "
+      "printed.\n"
+      "[print]\n"
+      "printer = {}\n"
+      "material = {}\n"
+      "# scale = 1 # mm of the finished object per unit, mm here; without it the largest that "
+      "fits.\n",
+      quoted(request.printerFile.string()), quoted(request.materialFile.string()));
 }
 
 std::string sightLine(const SightRating& rating) {
@@ -107,10 +133,11 @@ std::string proposalSceneText(const SceneProposal& proposal,
   return fmt::format("# Proposed by `morphgrid new` for {}; change what you like.\ntitle = {}\n\n",
                      proposal.request.mesh.filename().string(),
                      quoted(proposal.request.mesh.stem().string())) +
-         surfaceText(proposal, meshConfiguration) + gridText(proposal.design, isPapers) +
+         surfaceText(proposal, meshConfiguration) + gridText(proposal.design, proposal.request) +
          (isPapers ? "\n# The paper's model: springs, and lengths by formula.\n[design]\n" +
                          netText(proposal)
-                   : trueDesignText(proposal));
+                   : trueDesignText(proposal)) +
+         printText(proposal.request);
 }
 
 std::string proposalMeshText(const SceneProposal& proposal, const std::filesystem::path& mesh) {

@@ -88,6 +88,10 @@ ProposedFiles proposeFiles(const ProposalRequest& request, std::filesystem::path
   const std::string configuration = name + "_mesh.toml";
   writeKeeping(folder / configuration,
                proposalMeshText(files.proposal, seenFrom(folder, request.mesh)));
+  for (auto file : {&ProposalRequest::printerFile, &ProposalRequest::materialFile}) {
+    std::filesystem::path& named = files.proposal.request.*file;
+    if (!named.empty()) named = seenFrom(folder, named);
+  }
   writeKeeping(files.scene, proposalSceneText(files.proposal, configuration));
   drawSides(files.proposal, folder / kPreviewFile);
   return files;

@@ -18,12 +18,26 @@ SceneDesign designOf(RunState& state) {
   return designed;
 }
 
+/// As the run had it, whatever has become of its printer and material files.
+MaterialRequest materialAsRun(const Scene& scene, const RunRecord& record) {
+  MaterialRequest material = scene.material;
+  if (record.bars) {
+    material.barWidth = record.bars->width;
+    material.barHeight = record.bars->height;
+    material.postWidth = record.bars->post;
+    material.jointRadius = record.bars->joint;
+  }
+  return material;
+}
+
 Stage lastStage(RunState& state) {
   return {.grid = std::move(state.grid),
           .onDevice = nullptr,
           .solver = nullptr,
           .equilibrium = state.equilibrium(),
-          .printScale = state.record.printScale};
+          .printScale = state.record.printScale,
+          .mmPerUnit = state.record.print ? std::optional(state.record.print->scale)
+                                          : std::nullopt};
 }
 
 }  // namespace
@@ -45,9 +59,10 @@ RunState stateOf(const Scene& scene, const SceneDesign& designed, const Simulati
   return state;
 }
 
-RestoredRun restoreRun(const std::filesystem::path& file) {
+RestoredRun restoreRun(const std::filesystem::path& file,
+                       const std::vector<std::string>& overrides) {
   RunState state = readState(file);
-  RestoredRun run{.scene = loadSceneText(state.scene, file, state.record.scene),
+  RestoredRun run{.scene = loadSceneText(state.scene, file, state.record.scene, overrides),
                   .designed = designOf(state),
                   .simulation = {},
                   .inPlane = {},
@@ -61,9 +76,10 @@ RestoredRun restoreRun(const std::filesystem::path& file) {
                           : stackedGrid(design, scene.weights, scene.scaling,
                                         state.record.printScale * state.record.inPlane->positions);
   if (design.layers > 1) {
-    applyMaterial(stacked, scene.material);
+    applyMaterial(stacked, materialAsRun(scene, state.record));
   }
   Stage stage = lastStage(state);
+  stage.shrinkBounds = shrinkBoundsOf(scene, stage.mmPerUnit);
   stage.grid.bars = stacked.bars;
   stage.grid.printedCorners = stacked.printedCorners;
   Equilibrium& last = stage.equilibrium;
@@ -85,9 +101,10 @@ void drawAgain(RestoredRun& run, RunContext& context) {
     pictures.drawInitial(inPlane, run.inPlane.positions);
     inPlane.uploadPositions(record.inPlane->positions);
     pictures.drawInPlane(inPlane, record.inPlane->positions);
+    if (stage.mmPerUnit) pictures.tellLengthsIn({*stage.mmPerUnit, "mm"});
     if (record.full) {
       pictures.drawStacked(DeviceGrid(*context.device, stage.grid), stage.grid.positions);
-      pictures.drawShrink(stage.grid, run.scene.design.maxShrinkage);
+      pictures.drawShrink(stage.grid, stage.shrinkBounds);
     }
     stage.onDevice = std::make_shared<DeviceGrid>(*context.device, stage.grid);
     stage.onDevice->uploadPositions(stage.equilibrium.positions, stage.equilibrium.rotations);

@@ -16,8 +16,10 @@ struct RestoredRun {
   std::optional<MeshSampling> sampling;
 };
 
-/// Throws InputError when the state or what its scene names cannot be read.
-RestoredRun restoreRun(const std::filesystem::path& state);
+/// overrides: of keys that do not change what was run, see loadScene(). Throws InputError when the
+/// state or what its scene names cannot be read.
+RestoredRun restoreRun(const std::filesystem::path& state,
+                       const std::vector<std::string>& overrides = {});
 
 /// Puts the result on the context's device and draws what a run draws.
 void drawAgain(RestoredRun& run, RunContext& context);

@@ -8,6 +8,7 @@
 #include "app/state_argument.h"
 #include "core/interrupt.h"
 #include "core/visible_text.h"
+#include "report/judge_run.h"
 #include "report/report_table.h"
 
 namespace morphgrid {
@@ -45,6 +46,7 @@ int run(const RunArguments& arguments) {
   if (!options.quiet) {
     logNotices(record);
     fmt::print("{}results in {}\n", toTable(record), visibleText(options.outputFolder.string()));
+    tellVerdict(judgeRun(record));
   }
   if (record.deviceFailure) {
     tellFailure(record, options);

@@ -7,6 +7,7 @@
 #include "app/scene_knobs.h"
 #include "core/intrinsic_diagonal.h"
 #include "core/rigid_alignment.h"
+#include "report/judge_run.h"
 #include "report/report_table.h"
 #include "view/view_state.h"
 
@@ -69,17 +70,19 @@ std::shared_ptr<const MeshSampling> samplingOf(const std::shared_ptr<const Targe
 
 /// meanLength: of lateral struts, of which a frame's sizes are shares that the scene does not say;
 /// 0 where it is not known yet.
-void putKnobs(Scene scene, double meanLength, Snapshot& next) {
+void putKnobs(Scene scene, double meanLength, const std::optional<double>& mmPerUnit,
+              Snapshot& next) {
   if (scene.material.model == Model::frame && meanLength > 0) {
-    scene.material = withSizes(scene.material, meanLength);
+    scene.material = withSizes(materialOf(scene, mmPerUnit), meanLength);
   }
   next.knobs = keepRanges(knobsOf(scene), next.knobs);
 }
 
-void putScene(const Scene& scene, double meanLength, Snapshot& next) {
+void putScene(const Scene& scene, double meanLength, const std::optional<double>& mmPerUnit,
+              Snapshot& next) {
   next.title = scene.title;
-  putKnobs(scene, meanLength, next);
-  next.maxShrinkage = scene.design.maxShrinkage;
+  putKnobs(scene, meanLength, mmPerUnit, next);
+  next.shrinkBounds = shrinkBoundsOf(scene, std::nullopt);
 }
 
 /// Nothing but the target is there.
@@ -115,7 +118,7 @@ void putEnd(const Simulation& simulation, const ShownGrid& end, Snapshot& next) 
   if (record.full) {
     slotOf(ShownStage::surface, next) = end;
   }
-  next.figures = toTable(record);
+  next.figures = toTable(record) + judgeRun(record).line();
   next.notices = record.notices;
   next.history = last.history;
 }
@@ -133,7 +136,7 @@ void RunDisplay::showBegin(const std::string& status) {
 }
 
 void RunDisplay::showScene(const Scene& scene) {
-  board_.post([&](Snapshot& next) { putScene(scene, meanLength_, next); });
+  board_.post([&](Snapshot& next) { putScene(scene, meanLength_, mmPerUnit_, next); });
 }
 
 std::optional<ShownGrid> RunDisplay::makeTarget(const GridShape& shape,
@@ -156,9 +159,10 @@ void RunDisplay::showDesign(const Scene& scene, const SceneDesign& designed) {
   const RunRecord record = recordOf(scene, designed);
   const auto target = makeTarget(record.grid.shape, designed);
   meanLength_ = meanRestOf(designed.design);
+  mmPerUnit_ = designed.mmPerUnit;
   board_.post([&](Snapshot& next) {
     putDesign(designed, record, target, next);
-    putKnobs(scene, meanLength_, next);
+    putKnobs(scene, meanLength_, mmPerUnit_, next);
   });
 }
 
@@ -188,6 +192,7 @@ void RunDisplay::showStage(const Stage& stage) {
   board_.post([&](Snapshot& next) {
     next.activity = Activity::solving;
     next.status = inPlane ? "in plane" : "full";
+    next.shrinkBounds = stage.shrinkBounds;
     slotOf(inPlane ? ShownStage::initial : ShownStage::stacked, next) = before;
     next.newest = inPlane ? ShownStage::inPlane : ShownStage::warped;
     slotOf(next.newest, next) = live_;
@@ -290,14 +295,16 @@ void RunDisplay::showStored(const RestoredRun& run) {
   const RunRecord& record = run.simulation.record;
   const auto target = makeTarget(record.grid.shape, run.designed);
   meanLength_ = meanRestOf(run.designed.design);
+  mmPerUnit_ = stage.mmPerUnit;
   const ShownGrid initial = placed(run.inPlane, run.inPlane.positions);
   const ShownGrid inPlane = placed(run.inPlane, record.inPlane->positions);
   const ShownGrid stacked = placed(stage.grid, stage.grid.positions);
   ShownGrid end = placed(stage.grid, stage.equilibrium.positions, stage.equilibrium.rotations);
   end.worldFromGrid = run.simulation.targetFromGrid;
   board_.post([&](Snapshot& next) {
-    putScene(run.scene, meanLength_, next);
+    putScene(run.scene, meanLength_, stage.mmPerUnit, next);
     putDesign(run.designed, record, target, next);
+    next.shrinkBounds = stage.shrinkBounds;
     if (run.sampling) next.sampling = std::make_shared<MeshSampling>(*run.sampling);
     extend(next.extent, initial.worldFromGrid * run.inPlane.positions);
     slotOf(ShownStage::initial, next) = initial;

@@ -41,6 +41,7 @@ class RunDisplay {
   const Device& device_;
   SnapshotBoard& board_;
   double meanLength_ = 0;                 ///< Of the last design's lateral struts; 0: none yet.
+  std::optional<double> mmPerUnit_;       ///< Of the last design, see SceneDesign.
   int stages_ = 0;                        ///< Stages of this run so far.
   ShownGrid live_;                        ///< What is solved.
   std::shared_ptr<DeviceGrid> onDevice_;  ///< The same.

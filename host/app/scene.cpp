@@ -34,6 +34,7 @@ class SceneReader {
       checkSize();
     }
     checkWeight();
+    completePrint();
     reader_.reportUnknownKeys();
     reader_.problems.throwIfAny();
     scene_.text = sceneText(reader_);
@@ -93,6 +94,22 @@ class SceneReader {
   }
 
   void complete(TomlSection&, BendAngleRequest&) {}
+
+  void completePrint() {
+    TomlSection section = reader_.section("print");
+    if (!section.present()) return;
+    section.require("printer");
+    section.require("material");
+    if (!scene_.print) return;
+    ScenePrint& print = *scene_.print;
+    readFile(print.printerFile, [&] { print.tools.printer = readPrinter(print.printerFile); });
+    readFile(print.materialFile, [&] {
+      print.tools.material = readPrintMaterial(print.materialFile);
+      if (!reader_.section("grid").node("max_shrinkage")) {
+        scene_.design.maxShrinkage = -print.tools.material.along.change;
+      }
+    });
+  }
 
   void checkSize() {
     const DesignRequest& design = scene_.design;
@@ -174,7 +191,8 @@ void requireWhatInverseDesignNeeds(const Scene& scene) {
 }
 
 void requireShrinkRange(const Scene& scene) {
-  const auto [least, most] = shrinkRangeOf(scene);
+  const double least = scene.material.leastShrinkage;
+  const double most = scene.design.maxShrinkage;
   if (least >= most) {
     throw InputError(fmt::format(
         "{}: material.least_shrinkage must be less than grid.max_shrinkage = {:g}, got {:g}",

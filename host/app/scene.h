@@ -6,10 +6,10 @@
 #include <variant>
 #include <vector>
 
+#include "app/scene_print.h"
 #include "design/build_grids.h"
 #include "design/grid_design.h"
 #include "design/material.h"
-#include "grid/shrink.h"
 #include "report/run_record.h"
 #include "solve/equilibrium.h"
 #include "target/target_request.h"
@@ -55,6 +55,7 @@ struct Scene {
   SurfaceRequest surface;
   DesignRequest design;
   MaterialRequest material;
+  std::optional<ScenePrint> print;
   Weights weights;
   Scaling scaling = Scaling::normalised;
   Method method = Method::multigrid;
@@ -64,11 +65,6 @@ struct Scene {
   FileChoices files;
   std::optional<PublishedFigures> published;
 };
-
-/// What the scene's material does to a strut.
-inline ShrinkRange shrinkRangeOf(const Scene& scene) {
-  return {scene.material.leastShrinkage, scene.design.maxShrinkage};
-}
 
 /// Reads a TOML scene and the TOML files that it names; overrides are `key=value` with dotted keys,
 /// e.g. "grid.layers=4", applied before the checks. Throws InputError with every problem of the

@@ -44,5 +44,6 @@ SceneKeySection surfaceKeys();
 SceneKeySection gridKeys();
 SceneKeySection designKeys();
 SceneKeySection materialKeys();
+SceneKeySection printKeys();
 
 }  // namespace morphgrid

@@ -85,14 +85,18 @@ void assessPrintability(const Stage& stage, const Scene& scene, RunRecord& recor
     record.notices.insert(record.notices.end(), advice.begin(), advice.end());
   };
   if (record.full) {
-    record.shrink = computeShrink(stage.grid, shrinkRangeOf(scene));
-    tell(adviseOn(*record.shrink, shrinkRangeOf(scene)));
+    record.shrink = computeShrink(stage.grid, stage.shrinkBounds);
+    if (scene.print) {
+      record.print = assessPrint(stage.grid, scene.print->tools);
+    } else {
+      tell(adviseOn(*record.shrink, stage.shrinkBounds.material));
+    }
     const std::optional<double>& limit = scene.design.maxStrain;
     record.strain = computeStrain(stage.grid, stage.equilibrium.positions, limit);
     if (limit) tell(adviseOn(*record.strain, *limit));
   }
   record.feasibility = examineFeasibility(stage.grid.shape, stage.equilibrium.positions,
-                                          scene.design.strutThickness);
+                                          strutThicknessOf(scene, stage.mmPerUnit));
   tell(adviseOn(*record.feasibility));
 }
 
@@ -118,7 +122,7 @@ Simulation simulateScene(const Scene& scene, const SceneDesign& designed, RunCon
   }
   noteSaddle(record, "in-plane", *record.inPlane);
   if (designed.design.layers > 1) {
-    stage = stages.runFull(designed.design, record.inPlane->positions);
+    stage = stages.runFull(designed, record.inPlane->positions);
     record.printScale = stage.printScale;
     if (designed.targets) {
       record.inverse = stages.improve(stage, designed);
@@ -133,7 +137,9 @@ Simulation simulateScene(const Scene& scene, const SceneDesign& designed, RunCon
       }
     }
     stage.solver.reset();  // Its memory is for pictures now.
-    for (const std::string& notice : adviseOnBars(stage.grid, scene.material)) {
+    const MaterialRequest material = materialOf(scene, stage.mmPerUnit);
+    record.bars = barSizesOf(stage.grid, material);
+    for (const std::string& notice : adviseOnBars(stage.grid, material)) {
       record.notices.push_back(notice);
     }
     record.full = stage.equilibrium;
@@ -142,6 +148,8 @@ Simulation simulateScene(const Scene& scene, const SceneDesign& designed, RunCon
 
   cancellation.check();
   const Eigen::Matrix3Xd& positions = stage.equilibrium.positions;
+  const auto sheet = stage.grid.positions.topRows<2>();
+  record.printedSheet = sheet.rowwise().maxCoeff() - sheet.rowwise().minCoeff();
   record.errors = computeStrutErrors(designed.design, stage.grid, positions);
   cancellation.check();
   assessPrintability(stage, scene, record);
@@ -160,7 +168,7 @@ Simulation simulateScene(const Scene& scene, const SceneDesign& designed, RunCon
       pictures.drawStacked(DeviceGrid(*context.device, stage.grid), stage.grid.positions);
     }
     if (record.full) {
-      pictures.drawShrink(stage.grid, scene.design.maxShrinkage);
+      pictures.drawShrink(stage.grid, stage.shrinkBounds);
     }
   });
   return {std::move(record), std::move(stage), targetFromGrid};

@@ -39,8 +39,7 @@ Eigen::VectorXd lateralRestOf(const GridShape& shape,
 
 }  // namespace
 
-Stage Stages::prepare(StrutGrid grid) {
-  Stage stage{.grid = std::move(grid)};
+Stage Stages::prepare(Stage stage) {
   if (context_.device) {
     context_.attempt([&] {
       if (scene_.method == Method::multigrid) {
@@ -150,7 +149,7 @@ std::optional<InverseDesign> Stages::improve(Stage& stage, const SceneDesign& de
                          .optimiseSteps = request.optimiseSteps,
                          .solve = scene_.solve};
   if (request.enforceShrinkage) {
-    options.shrinkRange = shrinkRangeOf(scene_);
+    options.shrinkBounds = stage.shrinkBounds;
   }
   options.maxStrain = request.maxStrain;
   if (request.layout == Layout::conformal && request.reference == Reference::middle) {
@@ -242,7 +241,8 @@ void Stages::reachPrintedLayer(Stage& stage, const Sheet* sheet) {
 }
 
 Stage Stages::runInPlane(const GridDesign& design, const Sheet* sheet) {
-  Stage stage = prepare(inPlaneGrid(design, scene_.weights, scene_.scaling));
+  Stage stage = prepare({.grid = inPlaneGrid(design, scene_.weights, scene_.scaling),
+                         .shrinkBounds = shrinkBoundsOf(scene_, std::nullopt)});
   context_.draw(
       [&](Pictures& pictures) { pictures.drawInitial(*stage.onDevice, stage.grid.positions); });
   reachPrintedLayer(stage, sheet);
@@ -257,22 +257,31 @@ Stage Stages::runInPlane(const GridDesign& design, const Sheet* sheet) {
   return stage;
 }
 
-Stage Stages::runFull(const GridDesign& design, const Eigen::Matrix3Xd& printedLayer) {
-  const auto stackedAt = [&](double scale) {
-    StrutGrid grid = stackedGrid(design, scene_.weights, scene_.scaling, scale * printedLayer);
-    applyMaterial(grid, scene_.material);
-    return grid;
+Stage Stages::runFull(const SceneDesign& designed, const Eigen::Matrix3Xd& printedLayer) {
+  const auto mmPerUnitAt = [&](double scale) {
+    return designed.mmPerUnit ? designed.mmPerUnit
+                              : mmPerUnitOf(scene_, scale * printedLayer.topRows<2>());
   };
-  StrutGrid grid = stackedAt(1);
+  const auto stackedAt = [&](double scale) {
+    return stackedGrid(designed.design, scene_.weights, scene_.scaling, scale * printedLayer);
+  };
   double printScale = 1;
   if (scene_.design.enforceShrinkage && scene_.design.layout != Layout::conformal) {
-    printScale = choosePrintScale(grid, scene_.design.maxShrinkage);
-    grid = stackedAt(printScale);
+    printScale = choosePrintScale(stackedAt(1), [&](double scale) {
+      return shrinkBoundsOf(scene_, mmPerUnitAt(scale));
+    });
   }
-  Stage stage = prepare(std::move(grid));
-  stage.printScale = printScale;
-  context_.draw(
-      [&](Pictures& pictures) { pictures.drawStacked(*stage.onDevice, stage.grid.positions); });
+  const std::optional<double> mmPerUnit = mmPerUnitAt(printScale);
+  StrutGrid grid = stackedAt(printScale);
+  applyMaterial(grid, materialOf(scene_, mmPerUnit));
+  Stage stage = prepare({.grid = std::move(grid),
+                         .printScale = printScale,
+                         .mmPerUnit = mmPerUnit,
+                         .shrinkBounds = shrinkBoundsOf(scene_, mmPerUnit)});
+  context_.draw([&](Pictures& pictures) {
+    if (mmPerUnit) pictures.tellLengthsIn({*mmPerUnit, "mm"});
+    pictures.drawStacked(*stage.onDevice, stage.grid.positions);
+  });
   if (keeper_.full()) {
     stage.equilibrium = *keeper_.full();
   } else {

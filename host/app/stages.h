@@ -9,11 +9,13 @@ namespace morphgrid {
 /// A grid on its way to equilibrium, with its copy on the device.
 struct Stage {
   StrutGrid grid;
-  std::shared_ptr<DeviceGrid> onDevice;  ///< None in runs on the CPU, or when it did not fit.
+  std::shared_ptr<DeviceGrid> onDevice{};  ///< None in runs on the CPU, or when it did not fit.
   /// Only of Method::multigrid, and while the stage is solved.
-  std::shared_ptr<MultigridSolver> solver;
-  Equilibrium equilibrium;
+  std::shared_ptr<MultigridSolver> solver{};
+  Equilibrium equilibrium{};
   double printScale = 1;  ///< How much the flat sheet was enlarged, see choosePrintScale().
+  std::optional<double> mmPerUnit{};  ///< At which it is printed; only with [print].
+  ShrinkBounds shrinkBounds{};        ///< What its struts can lose, in the unit of the grid.
 };
 
 /// The two stages of a run. A device that fails ends a solve where it stood.
@@ -28,7 +30,7 @@ class Stages {
   Stage runInPlane(const GridDesign& design, const Sheet* sheet);
   /// The printed layer, enlarged when every strut has to shrink within the material's bound and it
   /// was not laid out for that, and stacked, morphs in space.
-  Stage runFull(const GridDesign& design, const Eigen::Matrix3Xd& printedLayer);
+  Stage runFull(const SceneDesign& designed, const Eigen::Matrix3Xd& printedLayer);
   /// Other rest lengths, which bring the full stage closer to its targets (SceneDesign::targets),
   /// as the scene asks for; nothing when it does not or the device fails before the first. Then the
   /// stage stays.
@@ -37,7 +39,8 @@ class Stages {
   std::optional<WeightFigures> assessWeight(const Stage& stage);
 
  private:
-  Stage prepare(StrutGrid grid);
+  /// Brings a stage that has its grid to the device.
+  Stage prepare(Stage stage);
   void reachPrintedLayer(Stage& stage, const Sheet* sheet);
   void solve(Stage& stage, const char* name, const Eigen::Matrix3Xd& near);
   std::optional<Equilibrium> solveByMethod(Stage& stage, const SolveOptions& options);

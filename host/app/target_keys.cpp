@@ -157,6 +157,7 @@ SceneKeySection gridKeys() {
           {.name = "max_shrinkage",
            .value = numberKey(ofDesign(&DesignRequest::maxShrinkage), between(0, 1)),
            .unit = "share",
+           .defaultInWords = "what `print.material` loses along its lines, else 0.4",
            .knob = KnobOffer{"max shrinkage", 0.05, 0.95},
            .meaning = "Share of its printed length that a strut can lose. Limits the layer spacing "
                       "of surfaces that are measured (Eq. 21); the report counts the struts over "
@@ -265,7 +266,8 @@ SceneKeySection designKeys() {
            .kinds = kMeasured,
            .meaning =
                "Whether every strut shrinks by no less than `material.least_shrinkage` and no "
-               "more than `grid.max_shrinkage`, on a sheet that is printed as large as "
+               "more than `grid.max_shrinkage`, or with `[print]` keeps to what it can by itself, "
+               "on a sheet that is printed as large as "
                "that takes, or laid out for it; otherwise the two above stay within 30 % "
                "of the designed length."},
       }};

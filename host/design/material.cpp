@@ -22,9 +22,9 @@ double meanOfLateral(const StrutGrid& grid, const StrutValues& values) {
   return sum / grid.shape.lateralStrutCount();
 }
 
-double shortestRest(const StrutGrid& grid) {
+double shortestLateralRest(const StrutGrid& grid) {
   double shortest = std::numeric_limits<double>::infinity();
-  forEachStrut(grid.shape, [&](const Strut& strut) {
+  forEachLateralStrut(grid.shape, [&](const Strut& strut) {
     shortest = std::min(shortest, valueAt(grid.rest, strut));
   });
   return shortest;
@@ -65,6 +65,12 @@ BarSizes barSizesOf(const MaterialRequest& material, double meanLength) {
           .joint = material.jointRadius.value_or(kJointShare * width)};
 }
 
+std::optional<BarSizes> barSizesOf(const StrutGrid& grid, const MaterialRequest& material) {
+  return material.model == Model::paper
+             ? std::nullopt
+             : std::optional(barSizesOf(material, meanOfLateral(grid, grid.rest)));
+}
+
 MaterialRequest withSizes(MaterialRequest material, double meanLength) {
   const BarSizes sizes = barSizesOf(material, meanLength);
   material.barWidth = sizes.width;
@@ -82,25 +88,33 @@ void applyMaterial(StrutGrid& grid, const MaterialRequest& material) {
   const BarSizes sizes = barSizesOf(material, length);
   const double modulus =
       2 * meanOfLateral(grid, grid.stiffness) * length / (sizes.width * sizes.height);
-  const auto section = [&](double width, double height) {
+  const auto section = [&](double width, double height, double joint) {
     return rectangularSection({.width = width,
                                .height = height,
                                .poisson = material.poisson,
-                               .joint = sizes.joint,
+                               .joint = joint,
                                .isShearing = false},
                               modulus);
   };
-  const Bars bars{section(sizes.width, sizes.height), section(sizes.post, sizes.post),
+  // Above and below a joint no more of a post is rigid than the bars are high.
+  const Bars bars{section(sizes.width, sizes.height, sizes.joint),
+                  section(sizes.post, sizes.post, std::min(sizes.joint, sizes.height / 2)),
                   grid.positions};
   if (material.model == Model::bars) {
     weighAsBars(grid, bars, length);
     return;
   }
-  if (2 * sizes.joint >= shortestRest(grid)) {
+  if (const double shortest = shortestLateralRest(grid); 2 * sizes.joint >= shortest) {
     throw InputError(fmt::format(
         "material.joint_radius must be less than half of the shortest strut, {:.3g}, got {:.3g}: "
         "lower it or material.bar_width",
-        shortestRest(grid) / 2, sizes.joint));
+        shortest / 2, sizes.joint));
+  }
+  if (const double post = grid.rest.w.front(); 2 * bars.upright.joint >= post) {
+    throw InputError(
+        fmt::format("material.bar_height must be less than the layers are apart, {:.3g}, got "
+                    "{:.3g}: lower it or raise grid.layer_spacing",
+                    post, sizes.height));
   }
   grid.bars = bars;
   grid.bars->loads = jointLoads(grid, material);
@@ -121,10 +135,7 @@ std::vector<std::string> adviseOnBars(const StrutGrid& grid, const MaterialReque
         "material.bar_height or raise grid.layer_spacing",
         height, layerSpacing));
   }
-  double shortest = std::numeric_limits<double>::infinity();
-  forEachLateralStrut(grid.shape, [&](const Strut& strut) {
-    shortest = std::min(shortest, valueAt(grid.rest, strut));
-  });
+  const double shortest = shortestLateralRest(grid);
   if (width > kThickest * shortest) {
     notices.push_back(fmt::format(
         "bars are {:.3g} wide, more than a third of the shortest strut ({:.3g}), too stocky for "

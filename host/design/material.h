@@ -55,6 +55,8 @@ struct BarSizes {
   double width, height, post, joint;
 };
 BarSizes barSizesOf(const MaterialRequest& material, double meanLength);
+/// The same of a grid; nothing of Model::paper.
+std::optional<BarSizes> barSizesOf(const StrutGrid& grid, const MaterialRequest& material);
 /// With the sizes that it leaves out.
 MaterialRequest withSizes(MaterialRequest material, double meanLength);
 

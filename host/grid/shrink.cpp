@@ -10,4 +10,13 @@ StrutValues computeShrinks(const StrutGrid& grid) {
   return shrinks;
 }
 
+StrutValues computeShrinkShares(const StrutGrid& grid, const ShrinkBounds& bounds) {
+  StrutValues shares = computeShrinks(grid);
+  forEachStrut(grid.shape, [&](const Strut& strut) {
+    valueAt(shares, strut) /= strut.isLateral() ? bounds.at(lengthAt(grid.positions, strut)).most
+                                                : bounds.material.most;
+  });
+  return shares;
+}
+
 }  // namespace morphgrid

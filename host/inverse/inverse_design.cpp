@@ -50,14 +50,24 @@ double now() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
+/// valueOf(range) times the printed length, one a strut.
+template <typename ValueOf>
+VectorXd withinBounds(const VectorXd& printed, const ShrinkBounds& bounds,
+                      const ValueOf& valueOf) {
+  return printed.unaryExpr(
+      [&](double length) { return valueOf(bounds.at(length)) * length; });
+}
+
 VectorXd lowest(const VectorXd& designed, const VectorXd& printed,
-                const std::optional<ShrinkRange>& range) {
-  return range ? VectorXd((1 - range->most) * printed) : VectorXd((1 - kTrust) * designed);
+                const std::optional<ShrinkBounds>& bounds) {
+  return bounds ? withinBounds(printed, *bounds, [](const ShrinkRange& r) { return 1 - r.most; })
+                : VectorXd((1 - kTrust) * designed);
 }
 
 VectorXd highest(const VectorXd& designed, const VectorXd& printed,
-                 const std::optional<ShrinkRange>& range) {
-  return range ? VectorXd((1 - range->least) * printed) : VectorXd((1 + kTrust) * designed);
+                 const std::optional<ShrinkBounds>& bounds) {
+  return bounds ? withinBounds(printed, *bounds, [](const ShrinkRange& r) { return 1 - r.least; })
+                : VectorXd((1 + kTrust) * designed);
 }
 
 }  // namespace
@@ -72,8 +82,8 @@ InverseDesigner::InverseDesigner(MultigridSolver& solver, const Eigen::Matrix3Xd
       lateral_(solver.grid().shape),
       designed_(lateral_.of(solver.grid())),
       printed_(lateral_.lengthsAt(solver.grid().positions)),
-      low_(lowest(designed_, printed_, options_.shrinkRange)),
-      high_(highest(designed_, printed_, options_.shrinkRange)),
+      low_(lowest(designed_, printed_, options_.shrinkBounds)),
+      high_(highest(designed_, printed_, options_.shrinkBounds)),
       diagonal_(boundingDiagonal(targets)),
       lbfgs_(low_, high_),
       pace_(options_.onCheckpoint),

@@ -19,7 +19,8 @@ namespace morphgrid {
 struct InverseOptions {
   int compensateRounds = 0;                ///< >= 0
   int optimiseSteps = 0;                   ///< >= 0
-  std::optional<ShrinkRange> shrinkRange;  ///< Every strut keeps to it.
+  /// Every strut keeps to them; their lengths are in the unit of the grid.
+  std::optional<ShrinkBounds> shrinkBounds;
   /// |length - rest| / rest of lateral struts beyond it counts as distance does, > 0.
   std::optional<double> maxStrain;
   /// Of frames: a step that leaves less Softness than this, and than there is, is refused.

@@ -67,7 +67,8 @@ double cornerAngle(const SheetCorner& corner, const std::vector<SheetBar>& bars,
 }
 
 /// How far apart a bar's layers are, of what the range allows for.
-double shareOfRange(const SheetBar& bar, const ShrinkRange& shrink) {
+double shareOfRange(const SheetBar& bar, const ShrinkBounds& bounds) {
+  const ShrinkRange shrink = bounds.at(std::sqrt(bar.shortest * bar.longest));
   const double wanted = (bar.mostRest - bar.leastRest) / (bar.mostRest + bar.leastRest);
   return wanted * (2 - shrink.least - shrink.most) / (shrink.most - shrink.least);
 }
@@ -93,8 +94,8 @@ void addScales(const SheetProblem& problem, const std::vector<SheetBar>& bars,
     figures.barsBeyondRange += bar.isBeyondRange ? 1 : 0;
     for (const LateralField<double>& layer : problem.rest) {
       const double loss = 1 - layer.at(strut) / printed;
-      const bool fits =
-          loss <= problem.shrink.most + kTolerance && loss >= problem.shrink.least - kTolerance;
+      const ShrinkRange range = problem.shrink.at(printed);
+      const bool fits = loss <= range.most + kTolerance && loss >= range.least - kTolerance;
       ++figures.lateralStruts;
       figures.strutsOutOfRange += fits ? 0 : 1;
     }
@@ -155,15 +156,17 @@ Eigen::VectorXd printedAngleErrors(const SheetProblem& problem, const Sheet& she
   return errors;
 }
 
-std::vector<std::string> adviseOn(const SheetFigures& sheet, const ShrinkRange& shrink) {
+std::vector<std::string> adviseOn(const SheetFigures& sheet, const ShrinkBounds& bounds) {
+  const ShrinkRange& shrink = bounds.material;
   std::vector<std::string> advice;
   if (sheet.strutsOutOfRange <= kFewOutliers * sheet.lateralStruts) {
     return advice;
   }
   const double range = (1 - shrink.least) / (1 - shrink.most);
   advice.push_back(fmt::format(
-      "{} of {} lateral struts would have to shrink by less than {:g} % or more than {:g} %: {}",
+      "{} of {} lateral struts would have to shrink by less than {:g} % or more than {:g} %{}: {}",
       sheet.strutsOutOfRange, sheet.lateralStruts, 100 * shrink.least, 100 * shrink.most,
+      bounds.hubDiameter > 0 ? ", hubs by their own share" : "",
       sheet.barsBeyondRange > 0
           ? fmt::format("{} struts of the net bend so strongly that their layers alone do not fit; "
                         "with grid.layer_spacing = {:.3g} 99 % of them would",

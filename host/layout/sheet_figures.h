@@ -36,6 +36,6 @@ SheetFigures computeSheetFigures(const SheetProblem& problem, const Sheet& sheet
 Eigen::VectorXd printedAngleErrors(const SheetProblem& problem, const Sheet& sheet);
 
 /// What to change where more than 1 % of the struts do not fit the material; a sentence each.
-std::vector<std::string> adviseOn(const SheetFigures& sheet, const ShrinkRange& shrink);
+std::vector<std::string> adviseOn(const SheetFigures& sheet, const ShrinkBounds& shrink);
 
 }  // namespace morphgrid

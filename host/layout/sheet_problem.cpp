@@ -49,9 +49,11 @@ double wrapped(double angle) {
 
 std::vector<SheetBar> sheetBars(const SheetProblem& problem) {
   const TangentPlanes planes(problem);
-  const double least = problem.shrink.least;
-  const double most = problem.shrink.most;
-  const double margin = std::min(kMargin, kMarginShare * (most - least));
+  const ShrinkBounds& shrink = problem.shrink;
+  const ShrinkRange& material = shrink.material;
+  const double margin = std::min(kMargin, kMarginShare * (material.most - material.least));
+  ShrinkBounds inside = shrink;
+  inside.material = {material.least + margin, material.most - margin};
   std::vector<SheetBar> bars;
   bars.reserve(problem.layer.lateralStrutCount());
   forEachLateralStrut(problem.layer, [&](const Strut& strut) {
@@ -67,9 +69,9 @@ std::vector<SheetBar> sheetBars(const SheetProblem& problem) {
       bar.leastRest = std::min(bar.leastRest, layer.at(strut));
       bar.mostRest = std::max(bar.mostRest, layer.at(strut));
     }
-    bar.isBeyondRange = bar.mostRest * (1 - most) > bar.leastRest * (1 - least);
-    bar.shortest = bar.mostRest / (1 - (least + margin));
-    bar.longest = bar.leastRest / (1 - (most - margin));
+    bar.isBeyondRange = shrink.shortestFor(bar.mostRest) > shrink.longestFor(bar.leastRest);
+    bar.shortest = inside.shortestFor(bar.mostRest);
+    bar.longest = inside.longestFor(bar.leastRest);
     if (bar.shortest > bar.longest) {
       bar.shortest = bar.longest = std::sqrt(bar.shortest * bar.longest);
     }

@@ -14,7 +14,7 @@ struct SheetProblem {
   Eigen::Matrix3Xd normals;  ///< The same, unit: of the tangent planes.
   /// Rest lengths of each layer of the grid, bottom first, > 0.
   std::vector<LateralField<double>> rest;
-  ShrinkRange shrink;  ///< That of the material.
+  ShrinkBounds shrink;  ///< What struts can lose; its lengths are the scene's.
 };
 
 /// A bar of the net, seen from the tangent planes at its ends.

@@ -55,7 +55,7 @@ std::string assemblyPage(const PrintRecord& record) {
       "<!DOCTYPE html>\n<html lang=\"en\">\n<meta charset=\"utf-8\">\n<title>{0}: "
       "assembly</title>\n"
       "{1}<h1>{0}</h1>\n<p>{2}</p>\n<p>Printer: {3}. Material: {4} ({5}, {6}).<br>{7}.</p>\n",
-      htmlText(plan.name), kStyle, htmlText(printVerdict(record)), htmlText(plan.printer.name),
+      htmlText(plan.name), kStyle, htmlText(record.verdict.line()), htmlText(plan.printer.name),
       htmlText(plan.material.name), htmlText(plan.material.source), plan.material.year,
       htmlText(plan.material.caveat));
   for (const std::string& notice : printNotices(record)) {

@@ -85,6 +85,9 @@ std::vector<DesignedStrut> designedStruts(const StrutGrid& grid) {
 
 double bestEnlargement(const std::vector<DesignedStrut>& struts, const StrutLay& lay,
                        double scale) {
+  if (std::get<0>(rankOf(struts, lay, scale, 1)) == 0) {
+    return 1;  // As the design has it.
+  }
   // A quotient, so that it is the number that its decimals say.
   const auto enlargementAt = [](int step) { return step / double{kEnlargementSteps}; };
   int best = kFirstEnlargement;

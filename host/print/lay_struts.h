@@ -15,8 +15,8 @@ struct DesignedStrut {
 /// The lateral struts of a grid, in the order of forEachLateralStrut().
 std::vector<DesignedStrut> designedStruts(const StrutGrid& grid);
 
-/// How much larger than the run's sheet it is best printed, in [0.8, 1.3]: by the fewest struts out
-/// of range, then the least sum of squares of what is missing, then so that the median strut is in
+/// How much larger than the run's sheet it is best printed: 1 where that leaves no strut out of
+/// range, else in [0.8, 1.3] by the fewest struts out of range, then the least sum of squares of what is missing, then so that the median strut is in
 /// the middle of its range.
 double bestEnlargement(const std::vector<DesignedStrut>& struts, const StrutLay& lay, double scale);
 

@@ -101,8 +101,8 @@ std::string printJson(const PrintRecord& record) {
   ordered_json tiers = ordered_json::array();
   for (const TierFigures& tier : record.tiers) tiers.push_back(tierJson(tier));
   const ordered_json json{{"scene", record.plan.name},
-                          {"verdict", printVerdict(record)},
-                          {"printable", record.plan.figures.outOfRange.empty()},
+                          {"verdict", record.verdict.line()},
+                          {"printable", record.verdict.isGood()},
                           {"printer", record.plan.printer.name},
                           {"material", materialJson(record.plan.material)},
                           {"sizes", sizesJson(record.plan)},

@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <filesystem>
 #include <string>
 
@@ -12,6 +13,8 @@ struct Lay {
   double change = 0;        ///< Of length along the strut, as a share; below 0 it shrinks.
   double error = 0;         ///< Standard error of `change`; 0: not known. As those below.
   double heightChange = 0;  ///< As a share.
+
+  bool operator==(const Lay&) const = default;
 };
 
 /// A filament, how it is printed, and how a bath of hot water changes what was printed so.
@@ -33,6 +36,8 @@ struct PrintMaterial {
     int passes = 0;
     double passHeight = 0;  ///< mm
     double heightStep = 0;  ///< mm by which a pass is higher than the one below.
+
+    bool operator==(const StrutPasses&) const = default;
   } strut;
   Lay along;   ///< Lines along the strut: they shrink it most.
   Lay across;  ///< Lines across it: it shrinks least, or grows.
@@ -45,6 +50,8 @@ struct PrintMaterial {
     double error = 0;
     double heightChange = 0;
     bool isMeasured = false;
+
+    bool operator==(const HubRings&) const = default;
   } hub;
 
   /// What carries hubs on to the tier above.
@@ -54,6 +61,8 @@ struct PrintMaterial {
     double change = 0;  ///< Of the height, as a share.
     double error = 0;
     bool isMeasured = false;
+
+    bool operator==(const TubeRings&) const = default;
   } tube;
 
   /// The height of pass n, from 0, mm.
@@ -62,6 +71,12 @@ struct PrintMaterial {
   }
   /// Of a strut as printed, mm.
   double strutHeight() const { return strut.passes * strut.passHeight; }
+  /// The same after the bath: the higher of both lays.
+  double strutHeightSwollen() const {
+    return strutHeight() * (1 + std::max(along.heightChange, across.heightChange));
+  }
+
+  bool operator==(const PrintMaterial&) const = default;
 };
 
 /// All keys of material files, section by section: readPrintMaterial() and docs/printing_format.md

@@ -35,8 +35,7 @@ double postLength(const StrutGrid& grid) {
 PrintHeights heightsOf(const PrintMaterial& material, double spacing) {
   PrintHeights heights;
   heights.strut = material.strutHeight();
-  heights.strutSwollen =
-      heights.strut * (1 + std::max(material.along.heightChange, material.across.heightChange));
+  heights.strutSwollen = material.strutHeightSwollen();
   heights.spacing = spacing;
   if (spacing > 0) {
     heights.tube =
@@ -58,38 +57,23 @@ void chooseScale(PrintPlan& plan, const StrutGrid& grid, const Eigen::Matrix2Xd&
     plan.enlargement = enlargementFor(plan.scale);
     return;
   }
-  const double largest = placeSheet(sheet, plan.hub.diameter, plan.printer).room;
-  if (largest <= 0) {
-    throw InputError(fmt::format("a hub of {:.2f} mm does not fit {:g} x {:g} mm",
-                                 plan.hub.diameter, plan.printer.bedX, plan.printer.bedY));
-  }
-  plan.scale = largest;
+  const PrintTools tools{plan.printer, plan.material, plan.request};
+  plan.scale = largestScale(tools, sheet);
   for (int round = 0; round < kScaleRounds; ++round) {
     plan.enlargement = enlargementFor(plan.scale);
-    plan.scale = roundedDown(largest / plan.enlargement);
+    plan.scale = largestScale(tools, plan.enlargement * sheet);
   }
 }
 
 }  // namespace
 
-HubShape hubShapeOf(const PrintRequest& request, const Bead& ring) {
-  HubShape hub;
-  hub.hole = request.pin + request.clearance;
-  for (int n = 0; n < request.loops; ++n) {
-    hub.ringRadii.push_back(hub.hole / 2 + ring.width / 2 + n * ring.pitch());
-  }
-  hub.diameter = 2 * hub.ringRadii.back() + ring.width;
-  return hub;
-}
-
 PrintPlan planPrint(const std::string& name, const StrutGrid& grid, const Printer& printer,
                     const PrintMaterial& material, const PrintRequest& request) {
   PrintPlan plan{.name = name,
                  .printer = printer,
-                 .material = material,
+                 .material = materialOf({printer, material, request}),
                  .request = request,
                  .shape = grid.shape};
-  plan.material.strut.passes = request.passes.value_or(material.strut.passes);
   requireLayable(printer, plan.material);
   plan.hub = hubShapeOf(request, plan.strutBead(material.tube.passHeight));
   const Eigen::Matrix2Xd sheet = grid.positions.topRows<2>();

@@ -1,36 +1,17 @@
 #pragma once
-#include <optional>
 #include <string>
 #include <vector>
 
 #include "grid/strut_grid.h"
 #include "print/bead.h"
 #include "print/place_sheet.h"
-#include "print/print_material.h"
-#include "print/printer.h"
+#include "print/print_tools.h"
 #include "print/strut_lay.h"
 
 namespace morphgrid {
 
-/// What the user decides. Lengths in mm.
-struct PrintRequest {
-  std::optional<double> scale;        ///< mm of the finished object per scene unit.
-  std::optional<double> enlargement;  ///< The printed sheet over the run's, see planPrint().
-  double pin = 1.75;                  ///< Diameter of what goes through hubs and tubes.
-  double clearance = 0.2;             ///< By how much wider their holes are.
-  int loops = 2;                      ///< Rings of a hub beside each other.
-  std::optional<int> passes;          ///< Instead of the material's.
-};
-
 /// Of the polygons that stand for circles.
 inline constexpr int kRingSides = 24;
-
-/// The rings at a vertex. Lengths in mm.
-struct HubShape {
-  double hole = 0;                ///< Diameter.
-  double diameter = 0;            ///< Outer.
-  std::vector<double> ringRadii;  ///< Of the beads' middles, the inner one first.
-};
 
 /// Heights of the finished object and of what is printed for it, mm.
 struct PrintHeights {
@@ -82,22 +63,17 @@ struct PrintPlan {
 
   Bead strutBead(double height) const { return {printer.lineWidth, height}; }
   /// Of a strut as printed, mm.
-  double strutWidth() const {
-    return (material.strut.lines - 1) * strutBead(material.strut.passHeight).pitch() +
-           printer.lineWidth;
-  }
+  double strutWidth() const { return strutWidthOf(printer, material); }
   Eigen::Vector2d at(const GridPlace& place) const { return positions.col(shape.index(place)); }
 };
 
 /// What is printed of a grid as a run left it: positions as printed, rest lengths as designed. The
 /// scale is the largest that fits unless it is asked for. The enlargement, to which the
-/// equilibrium is indifferent, is that in [0.8, 1.3] that leaves the fewest struts out of range.
+/// equilibrium is indifferent, is 1 where that leaves no strut out of range, else that in
+/// [0.8, 1.3] that leaves the fewest.
 /// Throws InputError with every reason why it cannot be printed, one a line, and with what would
 /// do.
 PrintPlan planPrint(const std::string& name, const StrutGrid& grid, const Printer& printer,
                     const PrintMaterial& material, const PrintRequest& request);
-
-/// Hubs for these pins, of rings laid with this bead.
-HubShape hubShapeOf(const PrintRequest& request, const Bead& ring);
 
 }  // namespace morphgrid

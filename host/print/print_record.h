@@ -5,6 +5,7 @@
 
 #include "print/print_plan.h"
 #include "print/print_tolerance.h"
+#include "print/print_verdict.h"
 #include "print/write_tier.h"
 
 namespace morphgrid {
@@ -30,12 +31,10 @@ struct PrintRecord {
   std::optional<LaidShape> shape;  ///< None where it could not be simulated.
   std::optional<PrintTolerance> tolerance = std::nullopt;  ///< Where it was asked for.
   std::vector<std::string> notices{};
+  PrintVerdict verdict{};
 };
 
-/// "printable: yes", or "printable: no, because ..." with counts and ways out.
-std::string printVerdict(const PrintRecord& record);
-
-/// A short table for the terminal, the verdict last.
+/// A short table for the terminal.
 std::string printTable(const PrintRecord& record);
 
 /// print.json.

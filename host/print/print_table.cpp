@@ -109,7 +109,6 @@ std::string printTable(const PrintRecord& record) {
   addTiers(rows, record);
   if (record.shape) addShape(rows, *record.shape);
   if (record.tolerance) rows.add(toleranceTable(*record.tolerance));
-  rows.line(printVerdict(record));
   return rows.text();
 }
 

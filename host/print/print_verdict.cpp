@@ -1,8 +1,10 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <cmath>
 
 #include "print/print_record.h"
+#include "print/print_verdict.h"
 
 namespace morphgrid {
 namespace {
@@ -12,9 +14,9 @@ std::string boundsAdvice(const PrintPlan& plan) {
   const ShrinkRange bounds =
       strutLayOf(plan.material, plan.hub.diameter).bounds(plan.figures.shortest);
   return fmt::format(
-      "a design within grid.max_shrinkage = {:.2f} and material.least_shrinkage = {:.2f} "
-      "(design.enforce_shrinkage), fewer and longer struts, a larger bed, or smaller hubs (--pin, "
-      "--loops)",
+      "a design that knows of it: a [print] section and design.enforce_shrinkage in the scene, or "
+      "grid.max_shrinkage = {:.2f} and material.least_shrinkage = {:.2f}; fewer and longer struts, "
+      "a larger bed, or smaller hubs (pin, loops)",
       std::floor(100 * bounds.most) / 100, std::ceil(100 * bounds.least) / 100 + 0.0);
 }
 
@@ -31,16 +33,32 @@ double stackHeight(const PrintPlan& plan) {
   return plan.shape.layers * plan.heights.strut + (plan.shape.layers - 1) * plan.heights.tube;
 }
 
-std::string printVerdict(const PrintRecord& record) {
-  const LayFigures& figures = record.plan.figures;
+std::optional<Obstacle> strutsOutOfRange(const PrintPlan& plan) {
+  const LayFigures& figures = plan.figures;
   if (figures.outOfRange.empty()) {
-    return "printable: yes";
+    return std::nullopt;
   }
-  return fmt::format(
-      "printable: no, because {} of {} struts are out of range: {} would have to shrink more than "
-      "they can, {} less, by {:.1f} % of their length at most. Ways out: {}",
-      figures.outOfRange.size(), figures.struts, figures.tooMuch, figures.tooLittle,
-      100 * figures.outOfRange.front().excess(), boundsAdvice(record.plan));
+  return Obstacle{
+      fmt::format("{} of {} struts are out of range: {} would have to shrink more than they can, "
+                  "{} less, by {:.1f} % of their length at most",
+                  figures.outOfRange.size(), figures.struts, figures.tooMuch, figures.tooLittle,
+                  100 * figures.outOfRange.front().excess()),
+      boundsAdvice(plan)};
+}
+
+std::string PrintVerdict::line() const {
+  if (isGood()) {
+    if (!isOfPrint) return "";
+    return reservation.empty() ? "printable: yes" : "printable: yes, " + reservation;
+  }
+  std::vector<std::string> reasons;
+  for (const Obstacle& obstacle : obstacles) {
+    reasons.push_back(obstacle.wayOut.empty()
+                          ? obstacle.what
+                          : fmt::format("{} (way out: {})", obstacle.what, obstacle.wayOut));
+  }
+  return fmt::format("{}, because {}", isOfPrint ? "printable: no" : "result: useless",
+                     fmt::join(reasons, "; "));
 }
 
 std::vector<std::string> printNotices(const PrintRecord& record) {

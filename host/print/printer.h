@@ -37,6 +37,8 @@ struct Printer {
   double nozzleClearance = 2.5;  ///< How high what is printed may stand beside the nozzle.
   std::string start;             ///< G-code with placeholders, see fillTemplate().
   std::string end;
+
+  bool operator==(const Printer&) const = default;
 };
 
 /// How far the line around a tier stays away from it, mm.

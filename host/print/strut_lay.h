@@ -15,7 +15,9 @@ struct StrutLay {
   /// length: from vertex to vertex as printed, mm, above hubDiameter, as in what follows.
   double freeLength(double length) const { return length - hubDiameter; }
   /// What share of its length the strut can lose.
-  ShrinkRange bounds(double length) const { return {shrinkAt(0, length), shrinkAt(1, length)}; }
+  ShrinkRange bounds(double length) const {
+    return ShrinkBounds{{across, along}, hub, hubDiameter}.at(length);
+  }
   /// What it loses when this share of its free length is laid along it.
   double shrinkAt(double share, double length) const {
     return (freeLength(length) * (share * along + (1 - share) * across) + hub * hubDiameter) /

@@ -20,6 +20,9 @@ struct ProposalRequest {
   int nodesLong = 20;             ///< >= 4
   ShrinkRange shrink{0.02, 0.4};  ///< Of the material.
   bool isPapers = false;          ///< Springs and lengths by formula, as in the paper.
+  /// Of a printer and of what `shrink` comes from, for the scene's [print]; both or none.
+  std::filesystem::path printerFile{};
+  std::filesystem::path materialFile{};
 };
 
 /// How a candidate's grid came out, by geometry alone.

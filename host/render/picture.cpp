@@ -143,6 +143,27 @@ void drawCaption(Image& image, const Footer& footer, const Font& font,
   }
 }
 
+void fillBlock(Image& image, int left, int top, int width, int height) {
+  for (int x = std::max(left, 0); x < std::min(left + width, image.width); ++x) {
+    fillColumn(image, x, std::max(top, 0), std::min(top + height, image.height), kInk);
+  }
+}
+
+void drawScaleBar(Image& image, const Footer& footer, const Font& font, const ScaleBar& bar) {
+  const int thick = std::max(2, static_cast<int>(footer.letters / 7));
+  const int tick = static_cast<int>(footer.letters / 3);
+  const int width = static_cast<int>(std::lround(bar.pixels));
+  const int left = footer.margin;
+  const int y = image.height - footer.height - footer.margin;
+  fillBlock(image, left, y, width, thick);
+  for (const int x : {left, left + width - thick}) {
+    fillBlock(image, x, y - tick, thick, 2 * tick + thick);
+  }
+  const double middle = left + (width - font.widthOf(bar.text, footer.letters)) / 2;
+  font.write(image, bar.text, footer.letters, std::max(middle, 1.0 * footer.margin),
+             y - tick - 0.35 * footer.letters, kInk);
+}
+
 /// A channel that is the same everywhere still takes its share of a file.
 std::vector<std::uint8_t> withoutAlpha(const Image& image) {
   std::vector<std::uint8_t> rgb;
@@ -165,8 +186,11 @@ Image composePicture(const Image& scene, const PictureOptions& options) {
   const Footer footer = layOutFooter(options);
   Image picture{options.width, options.height, scene.rgba};
   picture.rgba.resize(4 * static_cast<std::size_t>(options.width) * options.height, 255);
-  if (options.legend || !options.caption.empty()) {
+  if (options.legend || options.scaleBar || !options.caption.empty()) {
     const Font font = Font::findSans();
+    if (options.scaleBar) {
+      drawScaleBar(picture, footer, font, *options.scaleBar);
+    }
     drawCaption(picture, footer, font, options);
     if (options.legend) {
       drawLegend(picture, footer, font, *options.legend);

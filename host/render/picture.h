@@ -5,6 +5,7 @@
 
 #include "render/image.h"
 #include "render/legend.h"
+#include "render/scale_bar.h"
 
 namespace morphgrid {
 
@@ -14,6 +15,7 @@ struct PictureOptions {
   int height = 960;     ///< Scene and footer, in pixels, >= kSmallestPicture
   std::string caption;  ///< UTF-8; on two lines where it must, then cut short.
   std::optional<Legend> legend;
+  std::optional<ScaleBar> scaleBar;  ///< In the lower left corner of the scene.
   double lettersPerSide = 44;  ///< How many lines of text would be as high as the picture, > 0.
 };
 

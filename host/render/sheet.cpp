@@ -58,6 +58,7 @@ Image pictureOf(const Panel& panel, int number, const SheetOptions& options) {
   PictureOptions picture = panelPicture(options);
   picture.caption = fmt::format("({}) {}", static_cast<char>('a' + number), panel.caption);
   picture.legend = panel.legend;
+  picture.scaleBar = panel.scaleBar;
   return composePicture(panel.scene, picture);
 }
 
@@ -77,6 +78,7 @@ PictureOptions panelPicture(const SheetOptions& options) {
           .height = options.panelHeight,
           .caption = {},
           .legend = {},
+          .scaleBar = {},
           .lettersPerSide = kLinesPerPanel};
 }
 

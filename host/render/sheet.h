@@ -10,7 +10,8 @@ namespace morphgrid {
 struct Panel {
   Image scene;          ///< Its size is sceneSize(panelPicture()).
   std::string caption;  ///< See PictureOptions.
-  std::optional<Legend> legend;
+  std::optional<Legend> legend{};
+  std::optional<ScaleBar> scaleBar{};
 };
 
 struct SheetOptions {

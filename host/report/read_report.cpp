@@ -254,6 +254,28 @@ Feasibility readFeasibility(const json& f) {
           optionally(readCloseStruts, f.at("close_struts"))};
 }
 
+Eigen::Array2d readPrintedSheet(const json& s) {
+  const json& size = s.at("size");
+  return {number(size.at(0)), number(size.at(1))};
+}
+
+BarSizes readBars(const json& b) {
+  return {number(b.at("width")), number(b.at("height")), number(b.at("post")),
+          number(b.at("joint"))};
+}
+
+PrintAssessment readPrint(const json& p) {
+  PrintAssessment print{.printer = p.at("printer"),
+                        .material = p.at("material"),
+                        .scale = number(p.at("scale_mm_per_unit")),
+                        .enlargement = number(p.at("enlargement")),
+                        .obstacles = {}};
+  for (const json& obstacle : p.at("obstacles")) {
+    print.obstacles.push_back({obstacle.at("what"), obstacle.at("way_out")});
+  }
+  return print;
+}
+
 RunRecord readRecord(const json& r) {
   RunRecord record;
   record.scene = r.at("scene");
@@ -271,6 +293,9 @@ RunRecord readRecord(const json& r) {
   record.sheet = optionally(readSheet, r.value("sheet", json()));
   record.strain = optionally(readStrain, r.value("strain", json()));
   record.weight = optionally(readWeight, r.value("weight", json()));
+  record.printedSheet = optionally(readPrintedSheet, r.value("printed_sheet", json()));
+  record.bars = optionally(readBars, r.value("bars", json()));
+  record.print = optionally(readPrint, r.value("print", json()));
   record.inPlane = optionally(readEquilibrium, r.at("in_plane"));
   record.printScale = number(r.at("print_scale"));
   record.full = optionally(readEquilibrium, r.at("full"));

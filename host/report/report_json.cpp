@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "report/degrees.h"
+#include "report/judge_run.h"
 
 namespace morphgrid {
 namespace {
@@ -217,6 +218,42 @@ ordered_json toJson(const Feasibility& f) {
           {"close_struts", f.closeStruts ? toJson(*f.closeStruts) : nullptr}};
 }
 
+ordered_json toJson(const BarSizes& b) {
+  return {{"width", b.width}, {"height", b.height}, {"post", b.post}, {"joint", b.joint}};
+}
+
+ordered_json toJson(const std::vector<Obstacle>& obstacles) {
+  ordered_json array = ordered_json::array();
+  for (const Obstacle& obstacle : obstacles) {
+    array.push_back({{"what", obstacle.what}, {"way_out", obstacle.wayOut}});
+  }
+  return array;
+}
+
+ordered_json toJson(const PrintAssessment& p) {
+  return {{"printer", p.printer},
+          {"material", p.material},
+          {"scale_mm_per_unit", p.scale},
+          {"enlargement", p.enlargement},
+          {"obstacles", toJson(p.obstacles)}};
+}
+
+ordered_json toJson(const PrintVerdict& v) {
+  return {{"printable", v.isOfPrint ? ordered_json(v.isGood()) : ordered_json(nullptr)},
+          {"line", v.line()},
+          {"obstacles", toJson(v.obstacles)}};
+}
+
+/// [x, y] in the scene's unit, and in mm with [print].
+ordered_json printedSheetToJson(const RunRecord& record) {
+  if (!record.printedSheet) {
+    return nullptr;
+  }
+  const auto pair = [](const Eigen::Array2d& size) { return ordered_json{size.x(), size.y()}; };
+  const auto mm = record.printedSheetMm();
+  return {{"size", pair(*record.printedSheet)}, {"size_mm", mm ? pair(*mm) : ordered_json(nullptr)}};
+}
+
 template <typename Figures>
 ordered_json orNull(const std::optional<Figures>& figures) {
   return figures ? toJson(*figures) : ordered_json(nullptr);
@@ -239,6 +276,9 @@ std::string toJson(const RunRecord& record) {
       {"sheet", orNull(record.sheet)},
       {"in_plane", orNull(record.inPlane)},
       {"print_scale", record.printScale},
+      {"printed_sheet", printedSheetToJson(record)},
+      {"bars", orNull(record.bars)},
+      {"print", orNull(record.print)},
       {"full", orNull(record.full)},
       {"inverse_design", orNull(record.inverse)},
       {"errors", orNull(record.errors)},
@@ -250,7 +290,8 @@ std::string toJson(const RunRecord& record) {
       {"feasibility", orNull(record.feasibility)},
       {"device_failure",
        record.deviceFailure ? ordered_json(*record.deviceFailure) : ordered_json(nullptr)},
-      {"notices", record.notices}};
+      {"notices", record.notices},
+      {"verdict", toJson(judgeRun(record))}};
   return json.dump(2) + "\n";
 }
 }  // namespace morphgrid

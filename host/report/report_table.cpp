@@ -175,6 +175,17 @@ const char* outcomeOf(const FromFlat& check) {
   return check.sameEquilibrium ? "the design's equilibrium" : "ANOTHER equilibrium";
 }
 
+/// Of what comes from the printer.
+void addPrintedSheet(Table& table, const RunRecord& record) {
+  if (!record.printedSheet) return;
+  const Eigen::Array2d& size = *record.printedSheet;
+  table.row("printed sheet, x by y", fmt::format("{:.4g} x {:.4g}", size.x(), size.y()));
+  if (const auto mm = record.printedSheetMm()) {
+    table.row("  in mm", fmt::format("{:.1f} x {:.1f}", mm->x(), mm->y()));
+    table.row("  mm per unit", fmt::format("{:g}", record.print->scale));
+  }
+}
+
 void addInverse(Table& table, const RunRecord& record) {
   if (record.printScale != 1) {
     table.line(fmt::format("  printed {:.3f} times as large as the in-plane stage left the sheet",
@@ -237,6 +248,7 @@ void addFigures(Table& table, const RunRecord& record) {
             ifAll("{:.1f} %", paper.bendShrinkPercent));
   addNet(table, record);
   addSheet(table, record);
+  addPrintedSheet(table, record);
   addCutoffs(table, record);
   addResults(table, record, paper);
 }

@@ -5,9 +5,11 @@
 
 #include "design/curvature_cutoff.h"
 #include "design/grid_design.h"
+#include "design/material.h"
 #include "grid/strut_grid.h"
 #include "inverse/inverse_design.h"
 #include "layout/sheet_figures.h"
+#include "print/assess_print.h"
 #include "report/feasibility.h"
 #include "report/figures.h"
 #include "report/shrink_figures.h"
@@ -70,6 +72,10 @@ struct RunRecord {
   std::optional<MeshFigures> mesh;                ///< Only for meshes.
   std::optional<SheetFigures> sheet;              ///< Only of Layout::conformal.
   std::optional<Equilibrium> inPlane;
+  /// Extents along x and y of the flat sheet that is printed, in the scene's unit.
+  std::optional<Eigen::Array2d> printedSheet;
+  std::optional<BarSizes> bars;            ///< Not of Model::paper.
+  std::optional<PrintAssessment> print;    ///< Only with [print].
   /// How much the sheet that the in-plane stage left is enlarged, see choosePrintScale().
   double printScale = 1;
   std::optional<Equilibrium> full;       ///< Not for grids of one layer.
@@ -84,6 +90,12 @@ struct RunRecord {
   std::optional<PublishedFigures> published;
   std::optional<std::string> deviceFailure;  ///< What the device said when it failed on the way.
   std::vector<std::string> notices;
+
+  /// The same in mm; with [print].
+  std::optional<Eigen::Array2d> printedSheetMm() const {
+    if (!printedSheet || !print) return std::nullopt;
+    return Eigen::Array2d(print->scale * print->enlargement * *printedSheet);
+  }
 };
 
 }  // namespace morphgrid

@@ -26,11 +26,12 @@ void add(ShrinkCounts& counts, double shrink, const ShrinkRange& range) {
 
 }  // namespace
 
-ShrinkFigures computeShrink(const StrutGrid& stacked, const ShrinkRange& range) {
+ShrinkFigures computeShrink(const StrutGrid& stacked, const ShrinkBounds& bounds) {
   const StrutValues shrinks = computeShrinks(stacked);
   ShrinkFigures figures;
   figures.layers.resize(stacked.shape.layers);
   forEachLateralStrut(stacked.shape, [&](const Strut& strut) {
+    const ShrinkRange range = bounds.at(lengthAt(stacked.positions, strut));
     add(figures, valueAt(shrinks, strut), range);
     add(figures.layers[strut.layer], valueAt(shrinks, strut), range);
   });

@@ -24,7 +24,8 @@ struct ShrinkFigures : ShrinkCounts {
 
 /// Struts count as over the material's most, at it, under its least or growing beyond a millionth
 /// of the printed length.
-ShrinkFigures computeShrink(const StrutGrid& stacked, const ShrinkRange& range);
+/// bounds: in the unit of the grid.
+ShrinkFigures computeShrink(const StrutGrid& stacked, const ShrinkBounds& bounds);
 
 /// How far lateral struts are from their rest lengths where the grid has come to rest.
 struct StrainFigures {

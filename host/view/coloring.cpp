@@ -121,7 +121,7 @@ ColorShares computeColors(Coloring coloring, const ShownGrid& shown, const Snaps
   const GridShape& shape = shown.grid->shape;
   switch (coloring) {
     case Coloring::shrink:
-      return {dividedBy(computeShrinks(*shown.grid), snapshot.maxShrinkage), {}, shrinkLegend()};
+      return {computeShrinkShares(*shown.grid, snapshot.shrinkBounds), {}, shrinkLegend()};
     case Coloring::distance:
       return distanceColors(shown, *snapshot.targets);
     case Coloring::bendingStrain:

@@ -4,7 +4,8 @@
 #include <imgui.h>
 
 #include <algorithm>
-#include <cmath>
+
+#include "render/scale_bar.h"
 
 namespace morphgrid {
 namespace {
@@ -66,24 +67,12 @@ void drawAxes(const Camera& camera, const SceneArea& area) {
   }
 }
 
-double roundLength(double largest) {
-  const double power = std::pow(10, std::floor(std::log10(largest)));
-  for (const double digit : {5.0, 2.0}) {
-    if (digit * power <= largest) {
-      return digit * power;
-    }
-  }
-  return power;
-}
-
 void drawScaleBar(const Camera& camera, const Eigen::Vector3d& pivot, const SceneArea& area) {
-  const glm::dvec4 at = camera.viewFromWorld * glm::dvec4(pivot.x(), pivot.y(), pivot.z(), 1);
-  const double perPixel = 2 * -at.z / (std::abs(camera.clipFromView[1][1]) * area.height);
-  if (!(perPixel > 0) || !std::isfinite(perPixel)) {
+  const auto bar = scaleBarAt(camera, pivot, area.height, kBarWidth, {});
+  if (!bar) {
     return;
   }
-  const double length = roundLength(kBarWidth * perPixel);
-  const auto width = static_cast<float>(length / perPixel);
+  const auto width = static_cast<float>(bar->pixels);
   ImDrawList& list = *ImGui::GetBackgroundDrawList();
   const float y = corner(area, 0, kMargin).y;
   const float left = static_cast<float>(area.left) + 6 * kMargin;
@@ -91,7 +80,7 @@ void drawScaleBar(const Camera& camera, const Eigen::Vector3d& pivot, const Scen
   for (const float x : {left, left + width}) {
     list.AddLine({x, y - 5}, {x, y + 5}, kOverlayInk, 2);
   }
-  writeCentred(left + width / 2, y - 8 - ImGui::GetTextLineHeight(), fmt::format("{:g}", length));
+  writeCentred(left + width / 2, y - 8 - ImGui::GetTextLineHeight(), bar->text);
 }
 
 void drawMark(const Camera& camera, const Eigen::Vector3d& from, const Eigen::Vector3d& to,

@@ -16,9 +16,6 @@ void drawAxes(const Camera& camera, const SceneArea& area);
 /// A round length at the distance of `pivot`, in the scene's unit.
 void drawScaleBar(const Camera& camera, const Eigen::Vector3d& pivot, const SceneArea& area);
 
-/// A round number, 1, 2 or 5 times a power of ten, at most `largest` > 0.
-double roundLength(double largest);
-
 /// A strut that was picked; from and to in world coordinates.
 void drawMark(const Camera& camera, const Eigen::Vector3d& from, const Eigen::Vector3d& to,
               const SceneArea& area);

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "grid/joint_rotations.h"
-#include "grid/strut_grid.h"
+#include "grid/shrink.h"
 #include "render/camera.h"
 #include "solve/device_grid.h"
 #include "solve/equilibrium.h"
@@ -69,7 +69,7 @@ struct Snapshot {
   std::shared_ptr<const Eigen::VectorXd> angleErrors;
   Eigen::AlignedBox3d extent;  ///< Bounding box of all that is shown; may be empty.
   View view = kPatchView;      ///< To begin with.
-  double maxShrinkage = 1;
+  ShrinkBounds shrinkBounds;   ///< What struts can lose, in the unit of the grids.
   std::vector<Knob> knobs;
   std::vector<ConvergenceSample> history;  ///< Samples of the stage that is solved, or was last.
   std::string figures;                     ///< The report's table.

@@ -132,7 +132,7 @@ TEST_F(InverseDesignTest, ShrinkStaysWithinItsBound) {
   MultigridSolver solver(device_, grid_);
   InverseDesigner designer(
       solver, targets,
-      {.compensateRounds = 2, .optimiseSteps = 6, .shrinkRange = ShrinkRange{0, kLimit}});
+      {.compensateRounds = 2, .optimiseSteps = 6, .shrinkBounds = ShrinkBounds{{0, kLimit}}});
   const InverseDesign result = designer.run(first);
   const VectorXd rest = lateral.of(solver.grid());
   EXPECT_GE((rest - (1 - kLimit) * printed).minCoeff(), -1e-12);

@@ -15,7 +15,7 @@ inline SheetProblem netOn(const std::function<Eigen::Vector3d(double, double)>& 
                        .points = Eigen::Matrix3Xd(3, layer.layerVertexCount()),
                        .normals = Eigen::Matrix3Xd(3, layer.layerVertexCount()),
                        .rest = {LateralField<double>(layer.cellsU(), layer.cellsV())},
-                       .shrink = shrink};
+                       .shrink = {shrink}};
   forEachVertex(layer, [&](const GridPlace& place) {
     const double u = place.i / double(layer.cellsU());
     const double v = place.j / double(layer.cellsV());

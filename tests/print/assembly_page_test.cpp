@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "print/assess_print.h"
 #include "tests/print/print_samples.h"
 
 namespace morphgrid {
@@ -24,6 +25,7 @@ PrintRecord sampleRecord() {
   for (int tier = 0; tier < 2; ++tier) {
     record.tiers.push_back(writeTier(record.plan, tier, true).figures);
   }
+  record.verdict.obstacles = assessmentOf(record.plan).obstacles;
   return record;
 }
 
@@ -54,8 +56,8 @@ TEST(AssemblyPage, SaysWhatToDo) {
 TEST(PrintReport, HasCountsAndWaysOut) {
   const PrintRecord record = sampleRecord();
   EXPECT_THAT(printTable(record), HasSubstr("strut u 0 0 of tier 1: 70.0 %, can "));
-  EXPECT_THAT(printVerdict(record), HasSubstr("1 would have to shrink more than they can, 0 less"));
-  EXPECT_THAT(printVerdict(record), HasSubstr("grid.max_shrinkage = 0.35"));
+  EXPECT_THAT(record.verdict.line(), HasSubstr("1 would have to shrink more than they can, 0 less"));
+  EXPECT_THAT(record.verdict.line(), HasSubstr("grid.max_shrinkage = 0.35"));
   EXPECT_THAT(printJson(record), HasSubstr("\"too_much\": 1"));
   EXPECT_THAT(printNotices(record).front(), HasSubstr("was not measured"));
 }

@@ -91,7 +91,7 @@ TEST(Shrink, CountsWhatShrinksByLessThanTheMaterial) {
   });
   ASSERT_GT(under, 0);
   const ShrinkRange range{0.01, 0.9};
-  const ShrinkFigures figures = computeShrink(grid, range);
+  const ShrinkFigures figures = computeShrink(grid, {range});
   EXPECT_EQ(figures.strutsUnderLeast, under);
   EXPECT_EQ(figures.strutsGrowing, 0);
   EXPECT_THAT(adviseOn(figures, range),
