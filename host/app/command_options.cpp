@@ -35,6 +35,22 @@ void addDeviceOptions(CLI::App& command, DeviceOptions& options) {
                    "run under the Vulkan validation layers; any message is a device failure");
 }
 
+void addHubOptions(CLI::App& command, PrintRequest& request) {
+  command
+      .add_option("--pin", request.pin,
+                  "diameter of the pins through hubs and tubes, mm [1.75, filament]")
+      ->check(CLI::Range(0.2, 20.0));
+  command
+      .add_option("--clearance", request.clearance, "by how much wider their holes are, mm [0.2]")
+      ->check(CLI::Range(0.0, 5.0));
+  command.add_option("--loops", request.loops, "rings of a hub beside each other [2]")
+      ->check(CLI::Range(1, 10));
+  command
+      .add_option("--passes", request.passes,
+                  "of a strut on top of each other [as the material has it]")
+      ->check(CLI::Range(1, 1000));
+}
+
 void addQuietFlag(CLI::App& command, bool& isQuiet) {
   command.add_flag("--quiet", isQuiet, "print errors only");
 }

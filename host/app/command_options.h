@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "gpu/device.h"
+#include "print/print_plan.h"
 
 namespace morphgrid {
 
@@ -20,6 +21,8 @@ void addSceneArguments(CLI::App& command, SceneArguments& arguments);
 void addSceneOrRunArguments(CLI::App& command, SceneArguments& arguments);
 /// --device and --validate.
 void addDeviceOptions(CLI::App& command, DeviceOptions& options);
+/// --pin, --clearance, --loops and --passes.
+void addHubOptions(CLI::App& command, PrintRequest& request);
 /// --quiet.
 void addQuietFlag(CLI::App& command, bool& isQuiet);
 

@@ -12,7 +12,8 @@ struct PrintOptions {
   std::filesystem::path material;
   std::filesystem::path outputFolder;
   PrintRequest request;
-  bool isPlain = false;  ///< Without comments that name struts.
+  std::optional<ToleranceRequest> tolerance;  ///< What becomes of prints with errors, on request.
+  bool isPlain = false;                       ///< Without comments that name struts.
   DeviceOptions device;
   bool quiet = false;  ///< No progress.
 };
