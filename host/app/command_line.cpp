@@ -24,6 +24,7 @@ Examples:
   morphgrid figures scenes/egg_chair.toml --animation egg_chair.webp
   morphgrid figures out/egg_chair
   morphgrid print out/egg_chair --printer printers/prusa_mk4.toml --material materials/pla_0.08.toml
+  morphgrid calibrate print --printer printers/prusa_mk4.toml --material materials/pla_0.08.toml
   morphgrid view scenes/egg_chair.toml
   morphgrid view out/egg_chair
   morphgrid devices
@@ -51,6 +52,7 @@ int parseAndRun(int argc, char** argv) {
   addCheckCommand(app, action);
   addFiguresCommand(app, action);
   addPrintCommand(app, action);
+  addCalibrateCommand(app, action);
   addViewCommand(app, action);
   addDevicesCommand(app, action);
   try {

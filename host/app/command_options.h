@@ -23,4 +23,22 @@ void addDeviceOptions(CLI::App& command, DeviceOptions& options);
 /// --quiet.
 void addQuietFlag(CLI::App& command, bool& isQuiet);
 
+/// --pin, --clearance, --loops and --passes, into members of these names.
+template <typename Keys>
+void addHubOptions(CLI::App& command, Keys& keys) {
+  command
+      .add_option("--pin", keys.pin,
+                  "diameter of the pins through hubs and tubes, mm [1.75, filament]")
+      ->check(CLI::Range(0.2, 20.0));
+  command
+      .add_option("--clearance", keys.clearance, "by how much wider their holes are, mm [0.2]")
+      ->check(CLI::Range(0.0, 5.0));
+  command.add_option("--loops", keys.loops, "rings of a hub beside each other [2]")
+      ->check(CLI::Range(1, 10));
+  command
+      .add_option("--passes", keys.passes,
+                  "of a strut on top of each other [as the material has it]")
+      ->check(CLI::Range(1, 1000));
+}
+
 }  // namespace morphgrid

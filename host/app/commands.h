@@ -18,6 +18,7 @@ void addRunCommand(CLI::App& app, Action& action);
 void addCheckCommand(CLI::App& app, Action& action);
 void addFiguresCommand(CLI::App& app, Action& action);
 void addPrintCommand(CLI::App& app, Action& action);
+void addCalibrateCommand(CLI::App& app, Action& action);
 void addViewCommand(CLI::App& app, Action& action);
 void addDevicesCommand(CLI::App& app, Action& action);
 

@@ -103,19 +103,42 @@ void addKeyOptions(CLI::App& command, PrintKeys& keys) {
       .add_option("--scale", keys.scale,
                   "mm of the finished object per unit of the scene [the largest that fits]")
       ->check(CLI::PositiveNumber);
+  addHubOptions(command, keys);
+}
+
+void addToleranceOptions(CLI::App& command, std::optional<ToleranceRequest>& tolerance) {
+  const auto request = std::make_shared<ToleranceRequest>();
+  const auto set = [request, &tolerance] { tolerance = *request; };
+  CLI::Option* share =
+      command
+          .add_option_function<double>(
+              "--tolerance",
+              [=](double value) {
+                request->share = value;
+                set();
+              },
+              "what becomes of prints whose shrinks are off by this share, e.g. 0.1")
+          ->check(CLI::Range(1e-6, 0.5))
+          ->type_name("SHARE");
   command
-      .add_option("--pin", keys.pin,
-                  "diameter of the pins through hubs and tubes, mm [1.75, filament]")
-      ->check(CLI::Range(0.2, 20.0));
+      .add_option_function<int>(
+          "--samples",
+          [=](int value) {
+            request->samples = value;
+            set();
+          },
+          "prints of each kind of random error [40]")
+      ->check(CLI::Range(1, 100000))
+      ->needs(share);
   command
-      .add_option("--clearance", keys.clearance, "by how much wider their holes are, mm [0.2]")
-      ->check(CLI::Range(0.0, 5.0));
-  command.add_option("--loops", keys.loops, "rings of a hub beside each other [2]")
-      ->check(CLI::Range(1, 10));
-  command
-      .add_option("--passes", keys.passes,
-                  "of a strut on top of each other [as the material has it]")
-      ->check(CLI::Range(1, 1000));
+      .add_option_function<std::uint64_t>(
+          "--seed",
+          [=](std::uint64_t value) {
+            request->seed = value;
+            set();
+          },
+          "of random errors: the same seed, the same prints [1]")
+      ->needs(share);
 }
 
 }  // namespace
@@ -134,6 +157,7 @@ void addPrintCommand(CLI::App& app, Action& action) {
       ->check(CLI::Range(0.5, 2.0));
   command->add_option("--out", options.outputFolder,
                       "output folder [out/SCENE/print, or print in the run's folder]");
+  addToleranceOptions(*command, options.tolerance);
   command->add_flag("--plain", options.files.isPlain, "leave out the comments that name struts");
   command->add_flag("--stl", options.files.stl,
                     "also write each tier as a solid, for looking and for slicers");

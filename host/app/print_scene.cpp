@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "app/assess_tolerance.h"
 #include "app/restored_run.h"
 #include "app/simulate_laid.h"
 #include "app/simulate_scene.h"
@@ -46,6 +47,10 @@ PrintOutcome print(const Scene& scene, const SceneDesign& designed, Simulation s
   context.attempt([&] {
     record.shape =
         simulateLaid(scene, designed.targets, simulation.stage, record.plan.rest, *context.device);
+    if (options.tolerance) {
+      record.tolerance = assessTolerance(scene, designed.targets, simulation.stage, record.plan,
+                                         *options.tolerance, options.quiet, *context.device);
+    }
   });
   context.requireSilence();
   if (scene.solve.stopRequested()) {

@@ -13,6 +13,7 @@ struct PrintOptions {
   std::vector<std::string> overrides;  ///< Of the keys of [print] of a finished run.
   std::optional<double> enlargement;   ///< See PrintRequest.
   PrintFileChoices files;
+  std::optional<ToleranceRequest> tolerance;  ///< What becomes of prints with errors, on request.
   DeviceOptions device;
   bool quiet = false;  ///< No progress.
 };

@@ -1,6 +1,7 @@
 // The command that prints, as a user calls it.
 #include <gmock/gmock.h>
 
+#include <csignal>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
@@ -88,6 +89,53 @@ TEST_F(PrintCommand, RefusalsWriteNothing) {
                                              path("none.toml"), "--material", path("none.toml")});
   EXPECT_EQ(unread.exitCode, 2);
   EXPECT_THAT(unread.output, HasSubstr("none.toml"));
+}
+
+TEST_F(PrintCommand, PrintsWithErrorsAreTriedOnRequest) {
+  const Arguments more{"--tolerance", "0.1", "--samples", "4", "--seed", "7", "--validate"};
+  const auto printTo = [&](const std::string& out) {
+    Arguments arguments{"--out", path(out)};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return print("dome.toml", arguments);
+  };
+  const ProcessResult result = printTo("out");
+  EXPECT_EQ(result.exitCode, 0) << result.output;
+  EXPECT_THAT(result.output, HasSubstr("shrinks off by 10 %"));
+  EXPECT_THAT(result.output,
+              HasSubstr("to where the design ends, % RMS / most, by the model paper"));
+  EXPECT_THAT(result.output, HasSubstr("4 random prints each"));
+  const auto tolerance = nlohmann::json::parse(readFile(path("out/print.json")))["tolerance"];
+  EXPECT_EQ(tolerance["to"], "design");
+  ASSERT_EQ(tolerance["prints"].size(), 4u);  // The material names no errors.
+  for (const auto& kind : tolerance["prints"]) {
+    EXPECT_EQ(kind["rms_percent"].size(), 4u);
+    EXPECT_GT(kind["mean_rms_percent"], 0);
+    EXPECT_GE(kind["rms_95_percent"], kind["mean_rms_percent"]);
+    EXPECT_EQ(kind["not_converged"], 0);
+  }
+  EXPECT_GT(tolerance["all_less"]["rms_percent"], tolerance["undisturbed"]["rms_percent"]);
+  EXPECT_EQ(tolerance["tiers"].size(), 3u);
+  EXPECT_EQ(tolerance["struts"].size(), 3u);
+  EXPECT_THAT(readFile(path("out/assembly.html")), HasSubstr("When shrinks are off by 10 %"));
+
+  EXPECT_EQ(printTo("again").exitCode, 0);
+  EXPECT_EQ(nlohmann::json::parse(readFile(path("again/print.json")))["tolerance"], tolerance);
+  EXPECT_EQ(print("dome.toml", {"--samples", "4"}).exitCode, 2);
+  EXPECT_EQ(print("dome.toml", {"--tolerance", "2"}).exitCode, 2);
+}
+
+TEST_F(PrintCommand, CtrlCStopsPrintsWithErrors) {
+  Arguments arguments{"print",       path("dome.toml"),
+                      "--printer",   sourceFolder() / "printers/prusa_mk4.toml",
+                      "--material",  sourceFolder() / "materials/pla_0.08.toml",
+                      "--out",       path("out"),
+                      "--tolerance", "0.1",
+                      "--samples",   "100000"};
+  const ProcessResult result = runMorphgridUntil(
+      [](const std::string& output) { return output.find("print ") != output.npos; }, arguments,
+      SIGINT);
+  EXPECT_EQ(result.exitCode, 130) << result.output;
+  EXPECT_FALSE(std::filesystem::exists(path("out/print.json")));
 }
 
 TEST_F(PrintCommand, AFolderThatCannotBeWrittenStaysAsItWas) {
