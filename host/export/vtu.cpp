@@ -16,7 +16,7 @@
 #include <vector>
 
 #include "core/atomic_file.h"
-#include "core/error.h"
+#include "core/output_error.h"
 #include "energy/bar_state.h"
 #include "grid/shrink.h"
 #include "grid/strain.h"
@@ -106,7 +106,7 @@ void exportVtu(const std::filesystem::path& path, const StrutGrid& grid,
   // Into memory: VTK's pipeline prints what the disk refuses, whoever listens to the writer.
   writer->WriteToOutputStringOn();
   if (writer->Write() == 0) {
-    throw InputError(fmt::format("{}: cannot be written: VTK ran out of memory", path.string()));
+    throw OutputError(fmt::format("{}: cannot be written: VTK ran out of memory", path.string()));
   }
   writeFileAtomically(path, writer->GetOutputString());
 }

@@ -1,12 +1,13 @@
 #include "print/write_print_files.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <fstream>
 #include <memory>
 
 #include "core/atomic_file.h"
-#include "core/error.h"
+#include "core/output_error.h"
 #include "print/assembly_page.h"
 
 namespace morphgrid {
@@ -17,7 +18,7 @@ std::filesystem::path tierFile(const std::filesystem::path& folder, int tier,
   return folder / fmt::format("tier_{}.{}", tier + 1, extension);
 }
 
-/// Files that become visible together.
+/// Files that become visible together: tiers of two prints do not fit.
 class PendingFiles {
  public:
   void write(const std::filesystem::path& file, const std::string& text) {
@@ -26,16 +27,23 @@ class PendingFiles {
     stream.write(text.data(), static_cast<std::streamsize>(text.size()));
     stream.close();
     if (!stream || std::filesystem::is_directory(file)) {
-      throw InputError(fmt::format(
+      lost_.push_back(fmt::format(
           "{}: cannot be written: is the folder there, writable and not full?", file.string()));
     }
   }
+  /// Throws OutputError with each of those that cannot be, and then none is there.
   void commit() {
+    if (!lost_.empty()) {
+      throw OutputError(
+          fmt::format("{}\nno file of the print was written: each belongs to the others",
+                      fmt::join(lost_, "\n")));
+    }
     for (const auto& file : files_) file->commit();
   }
 
  private:
   std::vector<std::unique_ptr<PendingFile>> files_;
+  std::vector<std::string> lost_;
 };
 
 }  // namespace
