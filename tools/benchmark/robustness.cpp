@@ -7,6 +7,7 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
+#include "benchmark/disturbed_runs.h"
 #include "benchmark/robustness_cases.h"
 #include "core/atomic_file.h"
 #include "core/error.h"
@@ -280,7 +281,9 @@ void run(const RobustnessTable& options) {
   const std::vector<Result> results = measure(device, options);
   fmt::print("\n{}", summarise(results));
   if (!options.markdownFile.empty()) {
-    writeFileAtomically(options.markdownFile, toMarkdown(device.name(), results));
+    writeFileAtomically(
+        options.markdownFile,
+        keepingDisturbedRuns(options.markdownFile, toMarkdown(device.name(), results)));
   }
   if (!options.jsonFile.empty()) {
     nlohmann::json rows = nlohmann::json::array();
