@@ -15,6 +15,12 @@ enum ExitCode {
 /// Warns of what the user should know of a run.
 void logNotices(const RunRecord& record);
 
+/// Prints the table of a run, and what its rows mean, or how to learn it.
+void showTable(const RunRecord& record, bool explains);
+
+/// Tells what could not be written.
+void tellLostFiles(const std::vector<std::string>& lost);
+
 /// The exit code of a run that has just been made; says what helps where it did not converge.
 int conclude(const RunRecord& record);
 

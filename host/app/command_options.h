@@ -21,6 +21,7 @@ void addSceneOrRunArguments(CLI::App& command, SceneArguments& arguments);
 /// --device and --validate.
 void addDeviceOptions(CLI::App& command, DeviceOptions& options);
 /// --quiet.
+void addExplainFlag(CLI::App& command, bool& explains);
 void addQuietFlag(CLI::App& command, bool& isQuiet);
 
 }  // namespace morphgrid

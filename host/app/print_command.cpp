@@ -6,7 +6,6 @@
 #include "app/commands.h"
 #include "app/print_scene.h"
 #include "app/state_argument.h"
-#include "core/interrupt.h"
 
 namespace morphgrid {
 namespace {
@@ -37,7 +36,6 @@ int printGrid(const PrintArguments& arguments) {
     refuseOverrides(arguments.scene.scene, *state, arguments.scene.overrides);
   }
   PrintOptions options = arguments.options;
-  installInterruptHandler();
   const PrintOutcome outcome =
       state ? printStored(*state, options) : printAnew(arguments.scene, options);
   const PrintRecord& record = outcome.record;

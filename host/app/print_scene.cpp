@@ -20,9 +20,9 @@ PrintTools readTools(const PrintOptions& options) {
   return {readPrinter(options.printer), readPrintMaterial(options.material)};
 }
 
-RunContext contextFor(Scene& scene, const SceneDesign& designed, const PrintOptions& options) {
-  scene.pictures.enabled = false;
-  RunContext context = createRunContext(scene, designed, options.device, {}, nullptr);
+RunContext contextFor(const Scene& scene, const SceneDesign& designed,
+                      std::shared_ptr<Device> device, const PrintOptions& options) {
+  RunContext context = createRunContext(scene, designed, std::move(device), {}, nullptr);
   if (!context.device) {  // What is laid is always simulated on one.
     context.attempt([&] { context.device = std::make_shared<Device>(options.device); });
   }
@@ -54,8 +54,10 @@ PrintOutcome print(const Scene& scene, const SceneDesign& designed, Simulation s
 
 PrintOutcome printScene(Scene scene, const PrintOptions& options) {
   const PrintTools tools = readTools(options);
-  const SceneDesign designed = designScene(scene);
-  RunContext context = contextFor(scene, designed, options);
+  scene.pictures.enabled = false;
+  const std::shared_ptr<Device> device = deviceFor(scene, options.device, options.quiet);
+  const SceneDesign designed = designScene(scene, roomOn(device, scene));
+  RunContext context = contextFor(scene, designed, device, options);
   CheckpointKeeper keeper({}, {});
   Simulation simulation = simulateScene(scene, designed, context, keeper, options.quiet);
   return print(scene, designed, std::move(simulation), context, tools, options);
@@ -64,7 +66,9 @@ PrintOutcome printScene(Scene scene, const PrintOptions& options) {
 PrintOutcome printRun(const std::filesystem::path& state, const PrintOptions& options) {
   const PrintTools tools = readTools(options);
   RestoredRun run = restoreRun(state);
-  RunContext context = contextFor(run.scene, run.designed, options);
+  run.scene.pictures.enabled = false;
+  RunContext context = contextFor(run.scene, run.designed,
+                                  deviceFor(run.scene, options.device, options.quiet), options);
   return print(run.scene, run.designed, std::move(run.simulation), context, tools, options);
 }
 

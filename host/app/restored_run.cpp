@@ -11,7 +11,7 @@ SceneDesign designOf(RunState& state) {
   designed.targets = std::move(state.targets);
   designed.angleErrors = std::move(state.angleErrors);
   designed.mesh = state.record.mesh;
-  designed.notices = state.record.notices;
+  designed.notices = textsOf(state.record.notices);
   if (state.sampling) {
     designed.ownView = kMeshView;
   }
@@ -72,28 +72,6 @@ RestoredRun restoreRun(const std::filesystem::path& file) {
   }
   run.simulation = {std::move(state.record), std::move(stage), state.targetFromGrid};
   return run;
-}
-
-void drawAgain(RestoredRun& run, RunContext& context) {
-  const RunRecord& record = run.simulation.record;
-  Stage& stage = run.simulation.stage;
-  context.draw([&](Pictures& pictures) {
-    if (run.sampling) {
-      pictures.drawSampling(run.sampling->mesh, run.sampling->hits);
-    }
-    DeviceGrid inPlane(*context.device, run.inPlane);
-    pictures.drawInitial(inPlane, run.inPlane.positions);
-    inPlane.uploadPositions(record.inPlane->positions);
-    pictures.drawInPlane(inPlane, record.inPlane->positions);
-    if (record.full) {
-      pictures.drawStacked(DeviceGrid(*context.device, stage.grid), stage.grid.positions);
-      pictures.drawShrink(stage.grid, run.scene.design.maxShrinkage);
-    }
-    stage.onDevice = std::make_shared<DeviceGrid>(*context.device, stage.grid);
-    stage.onDevice->uploadPositions(stage.equilibrium.positions, stage.equilibrium.rotations);
-    pictures.drawResult(*stage.onDevice, stage.equilibrium.positions, run.simulation.targetFromGrid,
-                        run.designed.targets);
-  });
 }
 
 }  // namespace morphgrid

@@ -19,7 +19,4 @@ struct RestoredRun {
 /// Throws InputError when the state or what its scene names cannot be read.
 RestoredRun restoreRun(const std::filesystem::path& state);
 
-/// Puts the result on the context's device and draws what a run draws.
-void drawAgain(RestoredRun& run, RunContext& context);
-
 }  // namespace morphgrid

@@ -6,9 +6,7 @@
 #include "app/pipeline.h"
 #include "app/propose_files.h"
 #include "app/state_argument.h"
-#include "core/interrupt.h"
 #include "core/visible_text.h"
-#include "report/report_table.h"
 
 namespace morphgrid {
 namespace {
@@ -17,6 +15,7 @@ struct RunArguments {
   SceneArguments scene;
   RunOptions options;
   bool smallestEigenvalue = false;
+  bool explains = false;
 };
 
 void tellFailure(const RunRecord& record, const RunOptions& options) {
@@ -40,11 +39,11 @@ int run(const RunArguments& arguments) {
   if (options.outputFolder.empty()) {
     options.outputFolder = std::filesystem::path("out") / scene.name;
   }
-  installInterruptHandler();
   const RunRecord record = runScene(scene, options);
   if (!options.quiet) {
     logNotices(record);
-    fmt::print("{}results in {}\n", toTable(record), visibleText(options.outputFolder.string()));
+    showTable(record, arguments.explains);
+    fmt::print("results in {}\n", visibleText(options.outputFolder.string()));
   }
   if (record.deviceFailure) {
     tellFailure(record, options);
@@ -75,6 +74,7 @@ void addRunCommand(CLI::App& app, Action& action) {
       ->needs(checkpoint);
   command->add_option("--resume", options.resumeFrom,
                       "go on where the run stood that wrote this checkpoint");
+  addExplainFlag(*command, arguments->explains);
   addQuietFlag(*command, options.quiet);
   command->callback([&action, arguments] { action = [=] { return run(*arguments); }; });
 }

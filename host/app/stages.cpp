@@ -27,6 +27,8 @@ Equilibrium laidOut(const Sheet& sheet) {
   return result;
 }
 
+constexpr int kStepsThatTellARate = 3;
+
 /// Those of each layer, bottom first, in the order of LateralRest.
 Eigen::VectorXd lateralRestOf(const GridShape& shape,
                               const std::vector<LateralField<double>>& layers) {
@@ -76,6 +78,13 @@ void Stages::showOnDevice(const Stage& stage) {
       stage.onDevice->uploadPositions(stage.equilibrium.positions, stage.equilibrium.rotations);
     });
   }
+}
+
+/// Of a stage that is not begun any more: solvers of large grids take long to make.
+Equilibrium Stages::untouched(const StrutGrid& grid) const {
+  Equilibrium result = lastKnown(grid);
+  result.reason = StopReason::interrupted;
+  return result;
 }
 
 /// Where the solve stood when the device failed.
@@ -168,7 +177,8 @@ std::optional<InverseDesign> Stages::improve(Stage& stage, const SceneDesign& de
     if (!quiet_) {
       progress.tell(fmt::format("step {} of {}, distance {:.3g} % RMS, {:.3g} % at most", done,
                                 stepCount, step.rmsPercent, step.maxPercent),
-                    step.seconds, done > 0 ? step.seconds / done * (stepCount - done) : -1);
+                    step.seconds,
+                    done >= kStepsThatTellARate ? step.seconds / done * (stepCount - done) : -1);
     }
   };
   if (context_.onCheckFromFlat) {
@@ -243,17 +253,12 @@ void Stages::reachPrintedLayer(Stage& stage, const Sheet* sheet) {
 
 Stage Stages::runInPlane(const GridDesign& design, const Sheet* sheet) {
   Stage stage = prepare(inPlaneGrid(design, scene_.weights, scene_.scaling));
-  context_.draw(
-      [&](Pictures& pictures) { pictures.drawInitial(*stage.onDevice, stage.grid.positions); });
   reachPrintedLayer(stage, sheet);
   showOnDevice(stage);
   if (!sheet) {
     assessStability(stage, Motions::inPlane);
   }
   stage.solver.reset();
-  context_.draw([&](Pictures& pictures) {
-    pictures.drawInPlane(*stage.onDevice, stage.equilibrium.positions);
-  });
   return stage;
 }
 
@@ -269,10 +274,11 @@ Stage Stages::runFull(const GridDesign& design, const Eigen::Matrix3Xd& printedL
     printScale = choosePrintScale(grid, scene_.design.maxShrinkage);
     grid = stackedAt(printScale);
   }
+  if (scene_.solve.stopRequested()) {
+    return {.grid = grid, .equilibrium = untouched(grid), .printScale = printScale};
+  }
   Stage stage = prepare(std::move(grid));
   stage.printScale = printScale;
-  context_.draw(
-      [&](Pictures& pictures) { pictures.drawStacked(*stage.onDevice, stage.grid.positions); });
   if (keeper_.full()) {
     stage.equilibrium = *keeper_.full();
   } else {

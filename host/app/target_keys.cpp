@@ -237,6 +237,11 @@ SceneKeySection designKeys() {
           {.name = "compensate",
            .value = integerKey(ofDesign(&DesignRequest::compensateRounds), kRounds),
            .kinds = kMeasured,
+           .otherwise =
+               [](Scene& scene) {
+                 if (scene.trueShape) scene.design.compensateRounds = kTrueShape.compensateRounds;
+               },
+           .defaultInWords = "0; 10 for `true_shape`",
            .knob = KnobOffer{"compensation rounds"},
            .meaning = "Rounds of spring-back correction. On a conformal sheet lengths are designed "
                       "anew for "
@@ -246,6 +251,12 @@ SceneKeySection designKeys() {
           {.name = "optimise",
            .value = integerKey(ofDesign(&DesignRequest::optimiseSteps), kRounds),
            .kinds = kMeasured,
+           .otherwise =
+               [](Scene& scene) {
+                 if (scene.trueShape) scene.design.optimiseSteps = kTrueShape.optimiseSteps;
+               },
+           .defaultInWords = "0; 20 for `true_shape`",
+           .knob = KnobOffer{"optimiser steps"},
            .meaning = "Steps of adjoint optimisation of the lateral rest lengths, after the "
                       "correction. Both only for `solver.method = \"multigrid\"`."},
           {.name = "max_strain",
@@ -262,6 +273,12 @@ SceneKeySection designKeys() {
           {.name = "enforce_shrinkage",
            .value = booleanKey(ofDesign(&DesignRequest::enforceShrinkage)),
            .kinds = kMeasured,
+           .otherwise =
+               [](Scene& scene) {
+                 if (scene.trueShape) scene.design.enforceShrinkage = kTrueShape.enforceShrinkage;
+               },
+           .defaultInWords = "`false`; `true` for `true_shape`",
+           .knob = KnobOffer{"enforce shrinkage"},
            .meaning =
                "Whether every strut shrinks by no less than `material.least_shrinkage` and no "
                "more than `grid.max_shrinkage`, on a sheet that is printed as large as "

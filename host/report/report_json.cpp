@@ -250,7 +250,7 @@ std::string toJson(const RunRecord& record) {
       {"feasibility", orNull(record.feasibility)},
       {"device_failure",
        record.deviceFailure ? ordered_json(*record.deviceFailure) : ordered_json(nullptr)},
-      {"notices", record.notices}};
+      {"notices", textsOf(record.notices)}};
   return json.dump(2) + "\n";
 }
 }  // namespace morphgrid

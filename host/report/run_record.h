@@ -10,6 +10,7 @@
 #include "layout/sheet_figures.h"
 #include "report/feasibility.h"
 #include "report/figures.h"
+#include "report/notice.h"
 #include "report/shrink_figures.h"
 #include "report/symmetry_figures.h"
 #include "report/weight_figures.h"
@@ -83,7 +84,9 @@ struct RunRecord {
   std::optional<Feasibility> feasibility;
   std::optional<PublishedFigures> published;
   std::optional<std::string> deviceFailure;  ///< What the device said when it failed on the way.
-  std::vector<std::string> notices;
+  std::vector<Notice> notices;               ///< Of a finished run the most important first.
+  /// Files that could not be written and why; known only after the report is.
+  std::vector<std::string> lostFiles;
 };
 
 }  // namespace morphgrid
