@@ -11,8 +11,6 @@
 #include "app/state_argument.h"
 #include "core/create_folder.h"
 #include "core/error.h"
-#include "core/interrupt.h"
-#include "report/report_table.h"
 #include "surface/load_mesh.h"
 
 namespace morphgrid {
@@ -41,9 +39,12 @@ void showSides(const Scene& scene, bool draws) {
   }
 }
 
-int check(const SceneArguments& arguments) {
+struct CheckArguments : SceneArguments {
+  bool explains = false;
+};
+
+int check(const CheckArguments& arguments) {
   refuseFinishedRun(arguments.scene);
-  installInterruptHandler();
   const bool isProposed = isMeshName(arguments.scene);
   const Scene scene = loadScene(sceneFor(arguments.scene, {}, false), arguments.overrides);
   if (!isProposed && std::holds_alternative<MeshRequest>(scene.surface)) {
@@ -58,19 +59,20 @@ int check(const SceneArguments& arguments) {
     }
   }
   logNotices(record);
-  fmt::print("{}", toTable(record));
+  showTable(record, arguments.explains);
   return kConverged;
 }
 
 }  // namespace
 
 void addCheckCommand(CLI::App& app, Action& action) {
-  const auto arguments = std::make_shared<SceneArguments>();
+  const auto arguments = std::make_shared<CheckArguments>();
   CLI::App* command = app.add_subcommand(
       "check",
       "read, measure and design; print the table and what would help, draw a mesh from all sides "
       "into out/SCENE/preview.png; solve nothing");
   addSceneArguments(*command, *arguments);
+  addExplainFlag(*command, arguments->explains);
   command->callback([&action, arguments] { action = [=] { return check(*arguments); }; });
 }
 

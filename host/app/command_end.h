@@ -16,6 +16,12 @@ enum ExitCode {
 /// Warns of what the user should know of a run.
 void logNotices(const RunRecord& record);
 
+/// Prints the table of a run, and what its rows mean, or how to learn it.
+void showTable(const RunRecord& record, bool explains);
+
+/// Tells what could not be written.
+void tellLostFiles(const std::vector<std::string>& lost);
+
 /// The last line of a run: whether what it came to can be printed, or is of use; none where there
 /// is nothing to say.
 void tellVerdict(const PrintVerdict& verdict);

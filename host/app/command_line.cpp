@@ -8,6 +8,7 @@
 #include "app/command_end.h"
 #include "app/commands.h"
 #include "app/guarded_action.h"
+#include "core/on_interrupt.h"
 
 namespace morphgrid {
 namespace {
@@ -31,8 +32,8 @@ Examples:
 
 Exit codes: 0 converged, 2 bad input, 3 not converged, or not printable (results written),
             4 device failure or out of memory (what was solved before it is written),
-            5 standard output could not be written (files are complete),
-            130 interrupted (results written, if the solver had begun))";
+            5 not all files, or not standard output, could be written (each is told),
+            130 interrupted (report and state written, if the solver of a run had begun))";
 
 int parseAndRun(int argc, char** argv) {
   spdlog::set_default_logger(spdlog::stderr_color_mt("morphgrid"));
@@ -60,6 +61,8 @@ int parseAndRun(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? kConverged : kBadInput;
   }
+  installInterruptHandler();
+  const OnInterrupt ending(InterruptAct::end, "interrupted: nothing more is written");
   return action();
 }
 

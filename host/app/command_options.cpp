@@ -35,6 +35,10 @@ void addDeviceOptions(CLI::App& command, DeviceOptions& options) {
                    "run under the Vulkan validation layers; any message is a device failure");
 }
 
+void addExplainFlag(CLI::App& command, bool& explains) {
+  command.add_flag("--explain", explains, "say what the rows of the table mean");
+}
+
 void addQuietFlag(CLI::App& command, bool& isQuiet) {
   command.add_flag("--quiet", isQuiet, "print errors only");
 }

@@ -21,6 +21,7 @@ void addSceneOrRunArguments(CLI::App& command, SceneArguments& arguments);
 /// --device and --validate.
 void addDeviceOptions(CLI::App& command, DeviceOptions& options);
 /// --quiet.
+void addExplainFlag(CLI::App& command, bool& explains);
 void addQuietFlag(CLI::App& command, bool& isQuiet);
 
 /// --pin, --clearance, --loops and --passes, into members of these names.
@@ -30,8 +31,7 @@ void addHubOptions(CLI::App& command, Keys& keys) {
       .add_option("--pin", keys.pin,
                   "diameter of the pins through hubs and tubes, mm [1.75, filament]")
       ->check(CLI::Range(0.2, 20.0));
-  command
-      .add_option("--clearance", keys.clearance, "by how much wider their holes are, mm [0.2]")
+  command.add_option("--clearance", keys.clearance, "by how much wider their holes are, mm [0.2]")
       ->check(CLI::Range(0.0, 5.0));
   command.add_option("--loops", keys.loops, "rings of a hub beside each other [2]")
       ->check(CLI::Range(1, 10));

@@ -158,17 +158,19 @@ ChosenNet naming(const GridSize& size, const DesignRequest& request, const Surfa
 }
 
 SceneDesign designFor(const Scene& scene, const std::shared_ptr<const Target>& target,
-                      const Cancellation& cancellation) {
+                      const RequireShape& requireShape, const Cancellation& cancellation) {
   const DesignRequest& request = scene.design;
   const std::unique_ptr<TargetSampler> sampler = target->sampler(cancellation);
   const SurfaceSurvey& survey = target->survey();
   const std::optional<LatticeMap> map = mapFor(request.net, *sampler);
   const GridSize size =
       chooseGridSize(survey, request, map ? std::optional(map->modulus) : std::nullopt);
+  if (requireShape) requireShape({size.nodesU + 1, size.nodesV + 1, request.layers});
   const ChosenNet chosen = naming(size, request, survey, [&] {
     return chooseNet(map, size, request, [&](const Net& net) { return sampler->points(net); });
   });
-  const SurfaceMeasurement measurement = sampler->measure(chosen.net, chosen.points, size.curvatureLimit);
+  const SurfaceMeasurement measurement =
+      sampler->measure(chosen.net, chosen.points, size.curvatureLimit);
   Eigen::Matrix3Xd normals;
   if (request.reference == Reference::middle || request.layout == Layout::conformal) {
     normals = sampler->normals(chosen.net);
@@ -199,12 +201,16 @@ SceneDesign designFor(const Scene& scene, const std::shared_ptr<const Target>& t
 
 }  // namespace
 
-SceneDesign designScene(const Scene& scene, const std::shared_ptr<const Target>& target) {
+SceneDesign designScene(const Scene& scene, const std::shared_ptr<const Target>& target,
+                        const RequireShape& requireShape) {
   try {
     if (target) {
-      return designFor(scene, target, cancellationOf(scene));
+      return designFor(scene, target, requireShape, cancellationOf(scene));
     }
     const auto& bendAngles = std::get<BendAngleRequest>(scene.surface);
+    if (requireShape) {
+      requireShape({bendAngles.nodesU + 1, bendAngles.nodesV + 1, scene.design.layers});
+    }
     SceneDesign designed{
         nullptr, designFromBendAngles(bendAngles, scene.design.layers, scene.design.layerSpacing)};
     if (scene.print) {
@@ -216,8 +222,8 @@ SceneDesign designScene(const Scene& scene, const std::shared_ptr<const Target>&
   }
 }
 
-SceneDesign designScene(const Scene& scene) {
-  return designScene(scene, loadTarget(scene, cancellationOf(scene)));
+SceneDesign designScene(const Scene& scene, const RequireShape& requireShape) {
+  return designScene(scene, loadTarget(scene, cancellationOf(scene)), requireShape);
 }
 
 std::shared_ptr<const SceneDesign> DesignKeeper::designOf(
@@ -253,7 +259,7 @@ RunRecord recordOf(const Scene& scene, const SceneDesign& designed) {
   }
   record.mesh = designed.mesh;
   record.published = scene.published;
-  record.notices = designed.notices;
+  record.notices.assign(designed.notices.begin(), designed.notices.end());
   return record;
 }
 

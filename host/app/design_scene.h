@@ -1,4 +1,6 @@
 #pragma once
+#include <functional>
+
 #include "app/load_target.h"
 #include "layout/sheet_figures.h"
 
@@ -34,11 +36,16 @@ struct SceneDesign {
   View view() const { return target ? target->view() : ownView; }
 };
 
-/// Measures the scene's target, see loadTarget(), and designs the grid. Throws InputError when they
-/// cannot be had, Cancelled when scene.solve is requested to stop.
-SceneDesign designScene(const Scene& scene, const std::shared_ptr<const Target>& target);
+/// Throws InputError where there is no room for such a grid.
+using RequireShape = std::function<void(const GridShape&)>;
+
+/// Measures the scene's target, see loadTarget(), and designs the grid. requireShape: asked before
+/// anything is measured that grows with the grid; may be empty. Throws InputError when they cannot
+/// be had, Cancelled when scene.solve is requested to stop.
+SceneDesign designScene(const Scene& scene, const std::shared_ptr<const Target>& target,
+                        const RequireShape& requireShape = {});
 /// Loads the target, too.
-SceneDesign designScene(const Scene& scene);
+SceneDesign designScene(const Scene& scene, const RequireShape& requireShape = {});
 
 /// Keeps the last design while what it comes from stays.
 class DesignKeeper {

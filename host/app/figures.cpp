@@ -5,11 +5,13 @@
 #include <fstream>
 #include <map>
 
+#include "app/draw_run.h"
+#include "app/output_files.h"
 #include "app/restored_run.h"
 #include "core/atomic_file.h"
 #include "core/create_folder.h"
 #include "core/error.h"
-#include "core/interrupt.h"
+#include "core/on_interrupt.h"
 #include "render/font.h"
 #include "report/report_table.h"
 
@@ -91,20 +93,24 @@ std::vector<Panel> panelsOf(DrawnPanels drawn, const RunRecord& record, const Sh
 }
 
 FilmRecord film(const Scene& scene, const SceneDesign& designed, RunContext& context,
-                Simulation& simulation, const FiguresOptions& options) {
+                Simulation& simulation, const FiguresOptions& options, OutputFiles& files) {
   FilmRecord record;
-  if (!options.film.wanted() || interruptRequested() || !simulation.stage.onDevice) {
+  if (!options.film.wanted() || !simulation.stage.onDevice) {
     return record;
   }
+  const OnInterrupt ending(InterruptAct::end,
+                           "interrupted: the sheet is written, not all that shows the morph");
   context.attempt([&] {
-    record = filmMorph(scene, designed, *context.device, simulation, options.film, options.quiet);
+    record =
+        filmMorph(scene, designed, *context.device, simulation, options.film, files, options.quiet);
   });
   return record;
 }
 
-/// simulate(RunContext&) gives the Simulation and draws on the way.
+/// simulate(RunContext&) gives the Simulation. sampling: of a mesh; may be null.
 template <typename Simulate>
 FiguresRecord makeSheet(const Scene& scene, const SceneDesign& designed,
+                        const MeshSampling* sampling, const std::shared_ptr<Device>& device,
                         const FiguresOptions& options, const Simulate& simulate) {
   requireMorph(scene, designed, options.film);
   const SheetOptions sheet = sheetFor(scene);
@@ -112,21 +118,25 @@ FiguresRecord makeSheet(const Scene& scene, const SceneDesign& designed,
   Font::findMono();                          // and so is a missing font.
   DrawnPanels drawn;
   RunContext context =
-      createRunContext(scene, designed, options.device, panelPicture(sheet),
+      createRunContext(scene, designed, device, panelPicture(sheet),
                        [&](const std::string& name, const Panel& panel) { drawn[name] = panel; });
   requireWritable(options);
 
   Simulation simulation = simulate(context);
-  writePng(options.sheet,
-           composeSheet(panelsOf(std::move(drawn), simulation.record, sheet), sheet));
-  const FilmRecord filmed = film(scene, designed, context, simulation, options);
+  drawRun(scene, designed, sampling, simulation, context);
+  OutputFiles files({}, true);
+  files.writeAt(options.sheet, [&](const auto& path) {
+    writePng(path, composeSheet(panelsOf(std::move(drawn), simulation.record, sheet), sheet));
+  });
+  const FilmRecord filmed = film(scene, designed, context, simulation, options, files);
   context.requireSilence();
   RunRecord& record = simulation.record;
   if (context.failure) {
     record.deviceFailure = context.failure;
   }
   record.notices.insert(record.notices.end(), filmed.notices.begin(), filmed.notices.end());
-  return {std::move(record), filmed.converged};
+  record.lostFiles = files.lost();
+  return {std::move(record), filmed.converged, files.written()};
 }
 
 }  // namespace
@@ -134,8 +144,10 @@ FiguresRecord makeSheet(const Scene& scene, const SceneDesign& designed,
 FiguresRecord makeFigures(Scene scene, const FiguresOptions& options) {
   requireNames(options);
   scene.pictures.enabled = true;
-  const SceneDesign designed = designScene(scene);
-  return makeSheet(scene, designed, options, [&](RunContext& context) {
+  const std::shared_ptr<Device> device = deviceFor(scene, options.device, options.quiet);
+  const SceneDesign designed = designScene(scene, roomOn(device, scene));
+  const MeshSampling* sampling = designed.target ? designed.target->meshSampling() : nullptr;
+  return makeSheet(scene, designed, sampling, device, options, [&](RunContext& context) {
     CheckpointKeeper keeper({}, {});
     return simulateScene(scene, designed, context, keeper, options.quiet);
   });
@@ -145,10 +157,9 @@ FiguresRecord makeFigures(const std::filesystem::path& state, const FiguresOptio
   requireNames(options);
   RestoredRun run = restoreRun(state);
   run.scene.pictures.enabled = true;
-  return makeSheet(run.scene, run.designed, options, [&](RunContext& context) {
-    drawAgain(run, context);
-    return std::move(run.simulation);
-  });
+  const std::shared_ptr<Device> device = deviceFor(run.scene, options.device, options.quiet);
+  return makeSheet(run.scene, run.designed, run.sampling ? &*run.sampling : nullptr, device,
+                   options, [&](RunContext&) { return std::move(run.simulation); });
 }
 
 }  // namespace morphgrid

@@ -7,9 +7,7 @@
 #include "app/propose_files.h"
 #include "app/scene.h"
 #include "app/state_argument.h"
-#include "core/interrupt.h"
 #include "report/judge_run.h"
-#include "report/report_table.h"
 
 namespace morphgrid {
 namespace {
@@ -17,6 +15,7 @@ namespace {
 struct FiguresArguments {
   SceneArguments scene;
   FiguresOptions options;
+  bool explains = false;
 };
 
 FiguresRecord figuresOfRun(const std::filesystem::path& state, FiguresOptions& options) {
@@ -35,27 +34,45 @@ FiguresRecord figuresOfScene(const SceneArguments& arguments, FiguresOptions& op
   return makeFigures(scene, options);
 }
 
+/// What was written, frames as one.
+std::vector<std::string> writtenLines(const std::vector<std::filesystem::path>& written,
+                                      const FiguresOptions& options) {
+  std::vector<std::string> lines;
+  int frames = 0;
+  for (const std::filesystem::path& file : written) {
+    if (file == options.sheet) {
+      lines.push_back(fmt::format("figures in {}", file.string()));
+    } else if (file == options.film.animation || file == options.film.gltf) {
+      lines.push_back(fmt::format("the morph in {}", file.string()));
+    } else {
+      ++frames;
+    }
+  }
+  if (frames > 0) {
+    lines.push_back(fmt::format("{} frames in {}", frames, options.film.framesFolder.string()));
+  }
+  return lines;
+}
+
 int makeFiguresOf(const FiguresArguments& arguments) {
   const auto state = findState(arguments.scene.scene);
   if (state) {
     refuseOverrides(arguments.scene.scene, *state, arguments.scene.overrides);
   }
   FiguresOptions options = arguments.options;
-  installInterruptHandler();
   const FiguresRecord record =
       state ? figuresOfRun(*state, options) : figuresOfScene(arguments.scene, options);
   if (!options.quiet) {
     logNotices(record.run);
-    fmt::print("{}figures in {}\n", toTable(record.run), options.sheet.string());
+    showTable(record.run, arguments.explains);
+    for (const std::string& line : writtenLines(record.written, options)) fmt::print("{}\n", line);
     tellVerdict(judgeRun(record.run));
   }
   if (record.run.deviceFailure) {
     fmt::print(stderr, "device failure: {}\nwhat was drawn before is in {}\n",
                *record.run.deviceFailure, options.sheet.string());
   }
-  const int exitCode = interruptRequested() ? kInterrupted
-                       : state              ? concludeFinished(record.run)
-                                            : conclude(record.run);
+  const int exitCode = state ? concludeFinished(record.run) : conclude(record.run);
   return exitCode == kConverged && !record.morphConverged ? kNotConverged : exitCode;
 }
 
@@ -76,6 +93,7 @@ void addFiguresCommand(CLI::App& app, Action& action) {
   command->add_option("--frame-count", options.film.frameCount, "frames of the morph [48]")
       ->check(CLI::Range(2, FilmOptions::kMostFrames));
   addDeviceOptions(*command, options.device);
+  addExplainFlag(*command, arguments->explains);
   addQuietFlag(*command, options.quiet);
   command->callback([&action, arguments] { action = [=] { return makeFiguresOf(*arguments); }; });
 }

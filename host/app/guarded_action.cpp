@@ -12,7 +12,7 @@
 
 #include "app/command_end.h"
 #include "core/cancellation.h"
-#include "core/error.h"
+#include "core/output_error.h"
 #include "core/visible_text.h"
 #include "gpu/device_failure.h"
 
@@ -41,6 +41,8 @@ bool isOutOfMemory(const std::system_error& error) {
 int runGuarded(const Action& action) {
   try {
     return action();
+  } catch (const OutputError& error) {
+    return failedWith(kOutputLost, error.what());
   } catch (const InputError& error) {
     return failedWith(kBadInput, error.what());
   } catch (const DeviceError& error) {
@@ -66,7 +68,8 @@ int runGuarded(const Action& action) {
 int withOutputWritten(int exitCode) {
   const bool isWritten = std::fflush(stdout) == 0 && std::ferror(stdout) == 0;
   if (isWritten) return exitCode;
-  const int code = exitCode == kConverged ? kOutputLost : exitCode;
+  const bool isSolved = exitCode == kConverged || exitCode == kNotConverged;
+  const int code = isSolved ? kOutputLost : exitCode;
   return failedWith(static_cast<ExitCode>(code),
                     "standard output could not be written: is it closed, or its disk full?");
 }

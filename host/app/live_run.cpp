@@ -1,6 +1,7 @@
 #include "app/live_run.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <chrono>
 #include <new>
@@ -286,8 +287,10 @@ void LiveRun::writeFiles() {
   }
   try {
     std::filesystem::create_directories(options_.outputFolder);
-    morphgrid::exportFiles(*result_, targets_, files_, options_.outputFolder);
-    tell(fmt::format("files exported to {}", options_.outputFolder.string()));
+    OutputFiles files(options_.outputFolder, true);
+    morphgrid::exportFiles(*result_, targets_, files_, files);
+    tell(files.lost().empty() ? fmt::format("files exported to {}", options_.outputFolder.string())
+                              : fmt::format("{}", fmt::join(files.lost(), "\n")));
   } catch (const std::exception& error) {
     tell(error.what());
   }

@@ -84,6 +84,11 @@ SceneKeySection materialKeys() {
           {
               {.name = "model",
                .value = wordKey(at(&Scene::material, &Material::model), kModelWords),
+               .otherwise =
+                   [](Scene& scene) {
+                     if (scene.trueShape) scene.material.model = kTrueShape.model;
+                   },
+               .defaultInWords = "`\"paper\"`; `\"frame\"` for `true_shape`",
                .knob = KnobOffer{"model"},
                .meaning =
                    "`\"paper\"`: struts are springs, whose corners weigh what `weights` says. "
@@ -108,6 +113,11 @@ SceneKeySection materialKeys() {
                .value = numberKey(at(&Scene::material, &Material::leastShrinkage),
                                   NumberRange{.low = -1, .high = 1}),
                .unit = "share",
+               .otherwise =
+                   [](Scene& scene) {
+                     if (scene.trueShape) scene.material.leastShrinkage = kTrueShape.leastShrinkage;
+                   },
+               .defaultInWords = "0; 0.02 for `true_shape`",
                .meaning = "Share of its printed length that a strut loses at the least; below 0 "
                           "struts may grow. Less than `grid.max_shrinkage`."},
               {.name = "supports",

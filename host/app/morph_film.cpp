@@ -7,7 +7,6 @@
 #include <cmath>
 
 #include "app/progress_line.h"
-#include "core/interrupt.h"
 #include "core/rigid_alignment.h"
 #include "export/gltf_morph.h"
 #include "grid/move_joints.h"
@@ -26,6 +25,7 @@ constexpr double kMorphing = 3;
 constexpr double kLastShown = 1.5;
 
 constexpr int kMostKeys = 13;         // Shapes in the glTF file, which grows with each.
+constexpr int kFewestDone = 3;        // Steps or frames that tell a rate.
 constexpr int kMorphRefinement = 2;   // Cells of its surface per grid cell, along u and v.
 constexpr double kSameEnergy = 1e-3;  // Equilibria of a smaller relative difference are the same.
 
@@ -39,7 +39,7 @@ class Counter {
       const double seconds =
           std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
       line_.tell(fmt::format("{} {} of {}", what_, done, count_), seconds,
-                 seconds / done * (count_ - done));
+                 done >= kFewestDone ? seconds / done * (count_ - done) : -1);
     }
   }
 
@@ -115,7 +115,7 @@ void removeFramesFrom(const std::filesystem::path& folder, int frame) {
 /// Shapes on the same grid, coloured by the strain to the designed lengths.
 void drawFrames(const Scene& scene, const View& view, const Device& device, DeviceGrid& deviceGrid,
                 const Shapes& shapes, const Turns& turns, const Placements& placements,
-                const FilmOptions& options, bool quiet) {
+                const FilmOptions& options, OutputFiles& files, bool quiet) {
   PictureOptions picture{.width = scene.pictures.width,
                          .height = scene.pictures.height,
                          .caption = {},
@@ -126,28 +126,28 @@ void drawFrames(const Scene& scene, const View& view, const Device& device, Devi
   WebpAnimation animation(picture.width, picture.height);
   const int count = static_cast<int>(shapes.size());
   Counter counter("frame", count, quiet);
-  for (int n = 0; n < count && !interruptRequested(); ++n) {
+  const std::size_t lostBefore = files.lost().size();
+  for (int n = 0; n < count; ++n) {
     const auto index = static_cast<std::size_t>(n);
     deviceGrid.uploadPositions(shapes[index], turns[index]);
     picture.caption = fmt::format("morph: {:.0f} % of the shrinkage", 100.0 * n / (count - 1));
     const Image frame =
         composePicture(renderer.drawStruts(deviceGrid, placements[index], camera), picture);
-    if (!options.framesFolder.empty()) {
-      writePng(framePath(options.framesFolder, n), frame);
+    // Where one frame cannot be written, none is told for each of the others.
+    if (!options.framesFolder.empty() && files.lost().size() == lostBefore) {
+      files.writeAt(framePath(options.framesFolder, n),
+                    [&](const auto& path) { writePng(path, frame); });
     }
     if (!options.animation.empty()) {
       animation.add(frame, static_cast<int>(std::lround(1000 * secondsShown(n, count))));
     }
     counter.tell(n + 1);
   }
-  if (interruptRequested()) {
-    return;
-  }
   if (!options.framesFolder.empty()) {
     removeFramesFrom(options.framesFolder, count);
   }
   if (!options.animation.empty()) {
-    animation.write(options.animation);
+    files.writeAt(options.animation, [&](const auto& path) { animation.write(path); });
   }
 }
 
@@ -189,21 +189,21 @@ FilmRecord recordOf(const MorphCourse& course, const Equilibrium& simulation) {
 }  // namespace
 
 FilmRecord filmMorph(const Scene& scene, const SceneDesign& designed, const Device& device,
-                     Simulation& simulation, const FilmOptions& options, bool quiet) {
+                     Simulation& simulation, const FilmOptions& options, OutputFiles& files,
+                     bool quiet) {
   Stage& stage = simulation.stage;
   const auto [course, turns] = follow(scene, device, stage.grid, options.frameCount - 1, quiet);
-  if (interruptRequested()) {
-    return {};
-  }
   const Placements placements =
       placeShapes(course.positions, simulation.targetFromGrid * stage.equilibrium.positions,
                   stage.grid.bars && stage.grid.bars->loads);
   if (!options.framesFolder.empty() || !options.animation.empty()) {
     drawFrames(scene, designed.view(), device, *stage.onDevice, course.positions, turns, placements,
-               options, quiet);
+               options, files, quiet);
   }
-  if (!options.gltf.empty() && !interruptRequested()) {
-    writeGltf(options.gltf, stage.grid, course.positions, turns, placements);
+  if (!options.gltf.empty()) {
+    files.writeAt(options.gltf, [&](const auto& path) {
+      writeGltf(path, stage.grid, course.positions, turns, placements);
+    });
   }
   return recordOf(course, stage.equilibrium);
 }

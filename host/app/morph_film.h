@@ -1,6 +1,7 @@
 #pragma once
 #include <filesystem>
 
+#include "app/output_files.h"
 #include "app/simulate_scene.h"
 #include "solve/morph_course.h"
 
@@ -25,10 +26,10 @@ struct FilmRecord {
 };
 
 /// Follows the simulated scene's morph from the printed sheet and shows it, from one place that
-/// sees all of it. The simulation's last stage must be one in space, and on the device. When the
-/// user asks to stop, some frames may be there, and no other file. Throws DeviceError when the
-/// device fails, InputError when a file cannot be written. quiet: no progress.
+/// sees all of it. The simulation's last stage must be one in space, and on the device. Throws
+/// DeviceError when the device fails. quiet: no progress.
 FilmRecord filmMorph(const Scene& scene, const SceneDesign& designed, const Device& device,
-                     Simulation& simulation, const FilmOptions& options, bool quiet);
+                     Simulation& simulation, const FilmOptions& options, OutputFiles& files,
+                     bool quiet);
 
 }  // namespace morphgrid

@@ -49,7 +49,8 @@ int propose(const NewArguments& arguments) {
   }
   const ProposedFiles files = proposeFiles(request, arguments.folder, arguments.isQuiet);
   if (!arguments.isQuiet) tellProposal(files);
-  return kConverged;
+  tellLostFiles(files.lost);
+  return files.lost.empty() ? kConverged : kOutputLost;
 }
 
 }  // namespace

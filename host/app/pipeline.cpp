@@ -3,13 +3,16 @@
 #include <fmt/format.h>
 
 #include <chrono>
+#include <fstream>
 
 #include "app/device_capacity.h"
+#include "app/draw_run.h"
 #include "app/list_levers.h"
 #include "app/restored_run.h"
 #include "app/simulate_scene.h"
 #include "core/atomic_file.h"
 #include "core/create_folder.h"
+#include "core/on_interrupt.h"
 #include "export/gltf.h"
 #include "export/surface_files.h"
 #include "export/vtu.h"
@@ -23,6 +26,20 @@ namespace {
 
 constexpr double kFarOff = 1;          // % of the diagonal: then what would help is looked for.
 constexpr int kSurfaceRefinement = 4;  // Cells per grid cell, along u and v, of the surface files.
+
+constexpr double kSecondsForResults = 1;  // After Ctrl-C, once the report is written.
+constexpr const char* kReportFile = "report.json";
+constexpr const char* kFilesBesideReport[] = {
+    "convergence.csv", "optimise.csv", "optimise.svg", kStateFile,     "surface.obj",
+    "surface.ply",     "warped.vtu",   "warped.glb",   "sampling.png", "initial.png",
+    "in_plane.png",    "stacked.png",  "shrink.png",   "warped.png",   "surface.png",
+    "distance.png",    "target.png",   "printed.vtu"};
+
+constexpr const char* kWritingWhatThereIs =
+    "interrupted: writing what there is (report and state, then other files for as long as a "
+    "second); Ctrl-C again drops it";
+constexpr const char* kOnlyReportIsWritten =
+    "interrupted: report and state are written, of the pictures and other files not all";
 
 void writePicture(const std::filesystem::path& path, const Panel& panel, PictureOptions options) {
   options.caption = panel.caption;
@@ -47,28 +64,95 @@ CheckpointKeeper checkpointKeeper(const Scene& scene, const SceneDesign& designe
   return keeper;
 }
 
+void requireWritableFolder(const std::filesystem::path& folder) {
+  createFolder(folder, "--out " + folder.string());
+  const PendingFile probe(folder / kReportFile);
+  if (!std::ofstream(probe.path())) {
+    throw InputError(
+        fmt::format("--out {}: no file can be written there: is it read-only?", folder.string()));
+  }
+}
+
+/// Files of a run before this one, which are not of the report that is about to be there. What is
+/// no file stays.
+void removeFilesOfBefore(const std::filesystem::path& folder) {
+  for (const char* name : kFilesBesideReport) {
+    const PendingFile stale(folder / name);  // Removes what killed runs left of it.
+    std::error_code ignored;                 // Writing the file anew tells.
+    const auto status = std::filesystem::symlink_status(folder / name, ignored);
+    if (std::filesystem::is_regular_file(status) || std::filesystem::is_symlink(status)) {
+      std::filesystem::remove(folder / name, ignored);
+    }
+  }
+}
+
+void writeReport(const Scene& scene, const SceneDesign& designed, const Simulation& simulation,
+                 OutputFiles& files) {
+  const RunRecord& record = simulation.record;
+  const auto writeText = [&](const char* name, const std::string& text) {
+    files.write(name, [&](const auto& path) { writeFileAtomically(path, text); });
+  };
+  removeFilesOfBefore(files.folder());
+  writeText(kReportFile, toJson(record));
+  writeText("convergence.csv", toConvergenceCsv(record));
+  if (record.inverse) {
+    writeText("optimise.csv", toInverseCsv(*record.inverse));
+    writeText("optimise.svg", toInversePlot(*record.inverse, scene.design.maxShrinkage));
+  }
+  if (scene.files.state) {
+    files.write(kStateFile,
+                [&](const auto& path) { writeState(path, stateOf(scene, designed, simulation)); });
+  }
+}
+
+/// What the report and the state hold, for people and other programs.
+void writeResults(const Scene& scene, const SceneDesign& designed, Simulation& simulation,
+                  RunContext& context, OutputFiles& files) {
+  const OnInterrupt endingNow(InterruptAct::end, kOnlyReportIsWritten);
+  const bool isInterrupted = scene.solve.stopRequested();
+  if (isInterrupted) endIn(kSecondsForResults);
+  exportFiles(simulation, designed.targets, scene.files, files);
+  if (!isInterrupted) {
+    const Target* target = designed.target.get();
+    drawRun(scene, designed, target ? target->meshSampling() : nullptr, simulation, context);
+  } else if (scene.pictures.enabled) {
+    simulation.record.notices.push_back(
+        fmt::format("interrupted: no pictures; morphgrid figures {} draws where the run stood",
+                    files.folder().string()));
+  }
+  endIn(0);
+}
+
+std::vector<std::string> leversOf(const Scene& scene, const SceneDesign& designed,
+                                  const RunRecord& record) {
+  const bool isFarOff = record.distance && record.distance->rmsPercent > kFarOff;
+  try {
+    if (isFarOff && !scene.solve.stopRequested()) return listLevers(scene, designed);
+  } catch (const Cancelled&) {  // The result is there all the same.
+  }
+  return {};
+}
+
 }  // namespace
 
 void exportFiles(const Simulation& result, const std::optional<Eigen::Matrix3Xd>& targets,
-                 const FileChoices& choices, const std::filesystem::path& folder) {
+                 const FileChoices& choices, OutputFiles& files) {
   const Stage& stage = result.stage;
   const GridShape& shape = stage.grid.shape;
   const Eigen::Matrix3Xd positions = result.targetFromGrid * stage.equilibrium.positions;
   const JointRotations rotations = moveJoints(result.targetFromGrid, stage.equilibrium.rotations);
   const SurfaceMesh surface = tessellate(shape, middleLayer(shape, positions), kSurfaceRefinement);
-  if (choices.gltf) {
-    exportGltf(folder / "warped.glb", stage.grid, positions, surface, rotations);
-  }
-  if (choices.vtu) {
-    exportVtu(folder / "warped.vtu", stage.grid, positions, rotations);
-    exportPrintedVtu(folder / "printed.vtu", stage.grid, positions, targets);
-  }
-  if (choices.ply) {
-    exportPly(folder / "surface.ply", surface);
-  }
-  if (choices.obj) {
-    exportObj(folder / "surface.obj", surface);
-  }
+  const auto writeIf = [&](bool isChosen, const char* name, const auto& write) {
+    if (isChosen) files.write(name, write);
+  };
+  writeIf(choices.obj, "surface.obj", [&](const auto& path) { exportObj(path, surface); });
+  writeIf(choices.ply, "surface.ply", [&](const auto& path) { exportPly(path, surface); });
+  writeIf(choices.vtu, "warped.vtu",
+          [&](const auto& path) { exportVtu(path, stage.grid, positions, rotations); });
+  writeIf(choices.vtu, "printed.vtu",
+          [&](const auto& path) { exportPrintedVtu(path, stage.grid, positions, targets); });
+  writeIf(choices.gltf, "warped.glb",
+          [&](const auto& path) { exportGltf(path, stage.grid, positions, surface, rotations); });
 }
 
 RunRecord checkScene(const Scene& scene) { return recordOf(scene, designScene(scene)); }
@@ -86,40 +170,36 @@ void noteInsufficientDevice(const Scene& scene, RunRecord& record) {
 
 RunRecord runScene(const Scene& scene, const RunOptions& options) {
   const auto start = std::chrono::steady_clock::now();
-  const SceneDesign designed = designScene(scene);
+  const OnInterrupt ending(InterruptAct::end, "interrupted before anything was solved");
+  const std::shared_ptr<Device> device = deviceFor(scene, options.device, options.quiet);
+  const SceneDesign designed = designScene(scene, roomOn(device, scene));
   CheckpointKeeper keeper = checkpointKeeper(scene, designed, options);
-  const std::filesystem::path& folder = options.outputFolder;
+  OutputFiles files(options.outputFolder, options.quiet);
   const PictureOptions picture{.width = scene.pictures.width, .height = scene.pictures.height};
-  RunContext context = createRunContext(scene, designed, options.device, picture,
-                                        [&](const std::string& name, const Panel& panel) {
-                                          writePicture(folder / (name + ".png"), panel, picture);
-                                        });
+  RunContext context = createRunContext(
+      scene, designed, device, picture, [&](const std::string& name, const Panel& panel) {
+        files.write(name + ".png", [&](const auto& path) { writePicture(path, panel, picture); });
+      });
   if (scene.solve.stopRequested()) {
     throw Cancelled();
   }
-  createFolder(folder, "--out " + folder.string());
-  Simulation simulation = simulateScene(scene, designed, context, keeper, options.quiet);
-  context.requireSilence();
+  requireWritableFolder(files.folder());
+  Simulation simulation;
   RunRecord& record = simulation.record;
-  record.deviceFailure = context.failure;
-  if (record.distance && record.distance->rmsPercent > kFarOff && !scene.solve.stopRequested()) {
-    const std::vector<std::string> levers = listLevers(scene, designed);
+  {
+    const OnInterrupt saving(InterruptAct::stop, kWritingWhatThereIs);
+    simulation = simulateScene(scene, designed, context, keeper, options.quiet);
+    record.deviceFailure = context.failure;
+    const std::vector<std::string> levers = leversOf(scene, designed, record);
     record.notices.insert(record.notices.end(), levers.begin(), levers.end());
+    record.secondsTotal =
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    writeReport(scene, designed, simulation, files);
   }
-  record.secondsTotal =
-      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  writeFileAtomically(folder / "convergence.csv", toConvergenceCsv(record));
-  if (record.inverse) {
-    writeFileAtomically(folder / "optimise.csv", toInverseCsv(*record.inverse));
-    writeFileAtomically(folder / "optimise.svg",
-                        toInversePlot(*record.inverse, scene.design.maxShrinkage));
-  }
-  writeFileAtomically(folder / "report.json", toJson(record));
-  if (scene.files.state) {
-    writeState(folder / kStateFile, stateOf(scene, designed, simulation));
-  }
-  // Last: the files of a large grid may exceed what their formats or the disk hold.
-  exportFiles(simulation, designed.targets, scene.files, folder);
+  writeResults(scene, designed, simulation, context, files);
+  context.requireSilence();
+  if (context.failure) record.deviceFailure = context.failure;
+  record.lostFiles = files.lost();
   return std::move(record);
 }
 

@@ -9,7 +9,6 @@
 #include "app/commands.h"
 #include "app/print_scene.h"
 #include "app/state_argument.h"
-#include "core/interrupt.h"
 
 namespace morphgrid {
 namespace {
@@ -74,7 +73,6 @@ int printGrid(const PrintArguments& arguments) {
   }
   PrintOptions options = arguments.options;
   options.overrides = overridesOf(arguments.keys);
-  installInterruptHandler();
   const PrintOutcome outcome =
       state ? printStored(*state, options) : printAnew(arguments.scene, options);
   const PrintRecord& record = outcome.record;
@@ -97,8 +95,7 @@ void addKeyOptions(CLI::App& command, PrintKeys& keys) {
   command.add_option("--printer", keys.printer,
                      "a printer file, e.g. printers/prusa_mk4.toml [the scene's print.printer, as "
                      "the others have their keys]");
-  command.add_option("--material", keys.material,
-                     "a material file, e.g. materials/pla_0.08.toml");
+  command.add_option("--material", keys.material, "a material file, e.g. materials/pla_0.08.toml");
   command
       .add_option("--scale", keys.scale,
                   "mm of the finished object per unit of the scene [the largest that fits]")

@@ -28,9 +28,9 @@ PrintTools toolsOf(const Scene& scene, const PrintOptions& options) {
   return tools;
 }
 
-RunContext contextFor(Scene& scene, const SceneDesign& designed, const PrintOptions& options) {
-  scene.pictures.enabled = false;
-  RunContext context = createRunContext(scene, designed, options.device, {}, nullptr);
+RunContext contextFor(const Scene& scene, const SceneDesign& designed,
+                      std::shared_ptr<Device> device, const PrintOptions& options) {
+  RunContext context = createRunContext(scene, designed, std::move(device), {}, nullptr);
   if (!context.device) {  // What is laid is always simulated on one.
     context.attempt([&] { context.device = std::make_shared<Device>(options.device); });
   }
@@ -42,8 +42,8 @@ PrintOutcome print(const Scene& scene, const SceneDesign& designed, Simulation s
   const PrintTools tools = toolsOf(scene, options);
   const StrutGrid& grid = simulation.stage.grid;
   simulation.stage.onDevice.reset();  // Its memory is for what is laid.
-  PrintRecord record{
-      .plan = planPrint(scene.name, grid, tools.printer, tools.material, tools.request)};
+  PrintRecord record{.plan =
+                         planPrint(scene.name, grid, tools.printer, tools.material, tools.request)};
   context.attempt([&] {
     record.shape =
         simulateLaid(scene, designed.targets, simulation.stage, record.plan.rest, *context.device);
@@ -69,8 +69,10 @@ PrintOutcome print(const Scene& scene, const SceneDesign& designed, Simulation s
 
 PrintOutcome printScene(Scene scene, const PrintOptions& options) {
   toolsOf(scene, options);  // Before anything is solved.
-  const SceneDesign designed = designScene(scene);
-  RunContext context = contextFor(scene, designed, options);
+  scene.pictures.enabled = false;
+  const std::shared_ptr<Device> device = deviceFor(scene, options.device, options.quiet);
+  const SceneDesign designed = designScene(scene, roomOn(device, scene));
+  RunContext context = contextFor(scene, designed, device, options);
   CheckpointKeeper keeper({}, {});
   Simulation simulation = simulateScene(scene, designed, context, keeper, options.quiet);
   return print(scene, designed, std::move(simulation), context, options);
@@ -78,7 +80,9 @@ PrintOutcome printScene(Scene scene, const PrintOptions& options) {
 
 PrintOutcome printRun(const std::filesystem::path& state, const PrintOptions& options) {
   RestoredRun run = restoreRun(state, options.overrides);
-  RunContext context = contextFor(run.scene, run.designed, options);
+  run.scene.pictures.enabled = false;
+  RunContext context = contextFor(run.scene, run.designed,
+                                  deviceFor(run.scene, options.device, options.quiet), options);
   return print(run.scene, run.designed, std::move(run.simulation), context, options);
 }
 

@@ -14,6 +14,8 @@ constexpr double kSecondsBetweenRedraws = 0.1;
 constexpr double kSecondsBetweenLines = 5;
 constexpr int kBarWidth = 24;
 constexpr int kFewestSamples = 8;  // That tell a rate.
+// Times the seconds so far. What lies beyond is no estimate: the residual hardly falls just now.
+constexpr double kFarthestView = 30;
 
 std::string bar(double share) {
   const int filled = static_cast<int>(std::lround(std::clamp(share, 0.0, 1.0) * kBarWidth));
@@ -51,7 +53,8 @@ double estimateSecondsLeft(const std::vector<ConvergenceSample>& samples, double
     return -1;
   }
   const double rate = fall / (now.seconds - half->seconds);
-  return std::max(0.0, std::log(now.residual / tolerance) / rate);
+  const double left = std::max(0.0, std::log(now.residual / tolerance) / rate);
+  return left < kFarthestView * now.seconds ? left : -1;
 }
 
 ProgressLine::ProgressLine(std::string stage, double tolerance)

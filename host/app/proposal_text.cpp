@@ -17,6 +17,11 @@ std::string quoted(const std::string& text) {
   return stream.str();
 }
 
+constexpr const char* kTrueShapeText =
+    "# Welded bars, as printed grids are, and lengths that bring the simulated grid to its shape,\n"
+    "# every strut within the material's range.\n"
+    "true_shape = true\n";
+
 double percent(double share) { return 100 * share; }
 
 std::string transformsOf(const Placement& placement) {
@@ -86,24 +91,14 @@ std::string netText(const SceneProposal& proposal) {
 }
 
 std::string trueDesignText(const SceneProposal& proposal) {
-  return fmt::format(
-      "\n[material]\n"
-      "model = \"frame\" # Welded bars, as printed grids are{}.\n"
-      "{}\n"
-      "[design]\n"
-      "{}"
-      "# Lengths that bring the simulated grid to its shape, every strut within the material's "
-      "range.\n"
-      "compensate = {}\n"
-      "optimise = {}\n"
-      "enforce_shrinkage = true\n",
-      isPrinted(proposal.request) ? "" : "; a fifth of a strut wide",
-      isPrinted(proposal.request)
-          ? ""
-          : fmt::format("least_shrinkage = {} # What every strut loses at the least.\n",
-                        proposal.material.leastShrinkage),
-      netText(proposal), proposal.design.compensateRounds,
-      proposal.design.optimiseSteps);
+  return fmt::format("{}\n[design]\n{}compensate = {}\noptimise = {}\n",
+                     isPrinted(proposal.request)
+                         ? ""
+                         : fmt::format("\n[material]\nleast_shrinkage = {} # What every strut "
+                                       "loses at the least.\n",
+                                       proposal.material.leastShrinkage),
+                     netText(proposal), proposal.design.compensateRounds,
+                     proposal.design.optimiseSteps);
 }
 
 std::string printText(const ProposalRequest& request) {
@@ -130,9 +125,10 @@ std::string sightLine(const SightRating& rating) {
 std::string proposalSceneText(const SceneProposal& proposal,
                               const std::filesystem::path& meshConfiguration) {
   const bool isPapers = proposal.request.isPapers;
-  return fmt::format("# Proposed by `morphgrid new` for {}; change what you like.\ntitle = {}\n\n",
-                     proposal.request.mesh.filename().string(),
-                     quoted(proposal.request.mesh.stem().string())) +
+  return fmt::format(
+             "# Proposed by `morphgrid new` for {}; change what you like.\ntitle = {}\n{}\n",
+             proposal.request.mesh.filename().string(),
+             quoted(proposal.request.mesh.stem().string()), isPapers ? "" : kTrueShapeText) +
          surfaceText(proposal, meshConfiguration) + gridText(proposal.design, proposal.request) +
          (isPapers ? "\n# The paper's model: springs, and lengths by formula.\n[design]\n" +
                          netText(proposal)

@@ -1,16 +1,18 @@
 #include "app/propose_files.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <spdlog/spdlog.h>
 #include <unistd.h>
 
 #include "app/draw_preview.h"
+#include "app/output_files.h"
 #include "app/proposal_text.h"
 #include "app/try_design.h"
 #include "core/atomic_file.h"
 #include "core/create_folder.h"
-#include "core/error.h"
 #include "core/interrupt.h"
+#include "core/output_error.h"
 #include "core/read_file.h"
 #include "propose/propose_scene.h"
 #include "surface/load_mesh.h"
@@ -74,10 +76,9 @@ void drawSides(const SceneProposal& proposal, const std::filesystem::path& file)
 
 ProposedFiles proposeFiles(const ProposalRequest& request, std::filesystem::path folder,
                            bool isQuiet) {
-  installInterruptHandler();
   const std::string name = request.mesh.stem().string();
   if (folder.empty()) folder = std::filesystem::path("out") / name;
-  ProposedFiles files{folder / (name + ".toml"), {}};
+  ProposedFiles files{folder / (name + ".toml"), {}, false, {}};
   {
     const ProposalLine line(isQuiet);
     files.proposal = proposeScene(
@@ -86,14 +87,20 @@ ProposedFiles proposeFiles(const ProposalRequest& request, std::filesystem::path
   }
   createFolder(folder, "--out " + folder.string());
   const std::string configuration = name + "_mesh.toml";
-  writeKeeping(folder / configuration,
-               proposalMeshText(files.proposal, seenFrom(folder, request.mesh)));
   for (auto file : {&ProposalRequest::printerFile, &ProposalRequest::materialFile}) {
     std::filesystem::path& named = files.proposal.request.*file;
     if (!named.empty()) named = seenFrom(folder, named);
   }
-  writeKeeping(files.scene, proposalSceneText(files.proposal, configuration));
-  drawSides(files.proposal, folder / kPreviewFile);
+  OutputFiles output(folder, true);
+  output.write(configuration, [&](const auto& file) {
+    writeKeeping(file, proposalMeshText(files.proposal, seenFrom(folder, request.mesh)));
+  });
+  output.writeAt(files.scene, [&](const auto& file) {
+    writeKeeping(file, proposalSceneText(files.proposal, configuration));
+  });
+  files.hasScene = output.lost().empty();
+  output.write(kPreviewFile, [&](const auto& file) { drawSides(files.proposal, file); });
+  files.lost = output.lost();
   return files;
 }
 
@@ -107,6 +114,9 @@ std::filesystem::path sceneFor(const std::filesystem::path& argument,
                                const std::filesystem::path& folder, bool isQuiet) {
   if (!isMeshName(argument)) return argument;
   const ProposedFiles files = proposeFiles({.mesh = argument}, folder, isQuiet);
+  const std::string lost = fmt::format("{}", fmt::join(files.lost, "\n"));
+  if (!files.hasScene) throw OutputError(lost);
+  if (!lost.empty()) spdlog::warn(lost);
   if (!isQuiet) {
     tellProposal(files);
   }

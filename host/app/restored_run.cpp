@@ -11,7 +11,7 @@ SceneDesign designOf(RunState& state) {
   designed.targets = std::move(state.targets);
   designed.angleErrors = std::move(state.angleErrors);
   designed.mesh = state.record.mesh;
-  designed.notices = state.record.notices;
+  designed.notices = textsOf(state.record.notices);
   if (state.sampling) {
     designed.ownView = kMeshView;
   }
@@ -31,13 +31,13 @@ MaterialRequest materialAsRun(const Scene& scene, const RunRecord& record) {
 }
 
 Stage lastStage(RunState& state) {
-  return {.grid = std::move(state.grid),
-          .onDevice = nullptr,
-          .solver = nullptr,
-          .equilibrium = state.equilibrium(),
-          .printScale = state.record.printScale,
-          .mmPerUnit = state.record.print ? std::optional(state.record.print->scale)
-                                          : std::nullopt};
+  return {
+      .grid = std::move(state.grid),
+      .onDevice = nullptr,
+      .solver = nullptr,
+      .equilibrium = state.equilibrium(),
+      .printScale = state.record.printScale,
+      .mmPerUnit = state.record.print ? std::optional(state.record.print->scale) : std::nullopt};
 }
 
 }  // namespace
@@ -88,29 +88,6 @@ RestoredRun restoreRun(const std::filesystem::path& file,
   }
   run.simulation = {std::move(state.record), std::move(stage), state.targetFromGrid};
   return run;
-}
-
-void drawAgain(RestoredRun& run, RunContext& context) {
-  const RunRecord& record = run.simulation.record;
-  Stage& stage = run.simulation.stage;
-  context.draw([&](Pictures& pictures) {
-    if (run.sampling) {
-      pictures.drawSampling(run.sampling->mesh, run.sampling->hits);
-    }
-    DeviceGrid inPlane(*context.device, run.inPlane);
-    pictures.drawInitial(inPlane, run.inPlane.positions);
-    inPlane.uploadPositions(record.inPlane->positions);
-    pictures.drawInPlane(inPlane, record.inPlane->positions);
-    if (stage.mmPerUnit) pictures.tellLengthsIn({*stage.mmPerUnit, "mm"});
-    if (record.full) {
-      pictures.drawStacked(DeviceGrid(*context.device, stage.grid), stage.grid.positions);
-      pictures.drawShrink(stage.grid, stage.shrinkBounds);
-    }
-    stage.onDevice = std::make_shared<DeviceGrid>(*context.device, stage.grid);
-    stage.onDevice->uploadPositions(stage.equilibrium.positions, stage.equilibrium.rotations);
-    pictures.drawResult(*stage.onDevice, stage.equilibrium.positions, run.simulation.targetFromGrid,
-                        run.designed.targets);
-  });
 }
 
 }  // namespace morphgrid

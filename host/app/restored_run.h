@@ -21,7 +21,4 @@ struct RestoredRun {
 RestoredRun restoreRun(const std::filesystem::path& state,
                        const std::vector<std::string>& overrides = {});
 
-/// Puts the result on the context's device and draws what a run draws.
-void drawAgain(RestoredRun& run, RunContext& context);
-
 }  // namespace morphgrid

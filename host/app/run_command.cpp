@@ -6,10 +6,8 @@
 #include "app/pipeline.h"
 #include "app/propose_files.h"
 #include "app/state_argument.h"
-#include "core/interrupt.h"
 #include "core/visible_text.h"
 #include "report/judge_run.h"
-#include "report/report_table.h"
 
 namespace morphgrid {
 namespace {
@@ -18,6 +16,7 @@ struct RunArguments {
   SceneArguments scene;
   RunOptions options;
   bool smallestEigenvalue = false;
+  bool explains = false;
 };
 
 void tellFailure(const RunRecord& record, const RunOptions& options) {
@@ -41,11 +40,11 @@ int run(const RunArguments& arguments) {
   if (options.outputFolder.empty()) {
     options.outputFolder = std::filesystem::path("out") / scene.name;
   }
-  installInterruptHandler();
   const RunRecord record = runScene(scene, options);
   if (!options.quiet) {
     logNotices(record);
-    fmt::print("{}results in {}\n", toTable(record), visibleText(options.outputFolder.string()));
+    showTable(record, arguments.explains);
+    fmt::print("results in {}\n", visibleText(options.outputFolder.string()));
     tellVerdict(judgeRun(record));
   }
   if (record.deviceFailure) {
@@ -77,6 +76,7 @@ void addRunCommand(CLI::App& app, Action& action) {
       ->needs(checkpoint);
   command->add_option("--resume", options.resumeFrom,
                       "go on where the run stood that wrote this checkpoint");
+  addExplainFlag(*command, arguments->explains);
   addQuietFlag(*command, options.quiet);
   command->callback([&action, arguments] { action = [=] { return run(*arguments); }; });
 }

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include "app/device_capacity.h"
+#include "gpu/slow_compile.h"
 
 namespace morphgrid {
 
@@ -14,19 +15,33 @@ void RunContext::requireSilence() const {
   }
 }
 
+void sayWhenCompiling(const Device& device) {
+  tellSlowCompile(device, [name = device.name()] {
+    fmt::print(stderr, "compiling kernels for {}: the driver keeps them for the next time\n", name);
+  });
+}
+
+std::shared_ptr<Device> deviceFor(const Scene& scene, const DeviceOptions& options, bool quiet) {
+  if (scene.method == Method::reference && !scene.pictures.enabled) return nullptr;
+  auto device = std::make_shared<Device>(options);
+  if (!quiet) sayWhenCompiling(*device);
+  return device;
+}
+
+RequireShape roomOn(std::shared_ptr<const Device> device, const Scene& scene) {
+  return [device = std::move(device), &scene](const GridShape& shape) {
+    if (!device) return;
+    if (const auto reason = explainOverflow(shape, workloadOf(scene), capacityOf(*device))) {
+      throw InputError(*reason);  // designScene() names the scene.
+    }
+  };
+}
+
 RunContext createRunContext(const Scene& scene, const SceneDesign& designed,
-                            const DeviceOptions& device, const PictureOptions& picture,
+                            std::shared_ptr<Device> device, const PictureOptions& picture,
                             ShowPanel show) {
   RunContext context;
-  if (scene.method != Method::reference || scene.pictures.enabled) {
-    context.device = std::make_unique<Device>(device);
-    const GridDesign& design = designed.design;
-    const GridShape shape{design.nodesU + 1, design.nodesV + 1, design.layers};
-    if (const auto reason =
-            explainOverflow(shape, workloadOf(scene), capacityOf(*context.device))) {
-      throw InputError(fmt::format("{}: {}", scene.file.string(), *reason));
-    }
-  }
+  context.device = std::move(device);
   if (scene.pictures.enabled) {
     context.pictures =
         std::make_unique<Pictures>(*context.device, picture, std::move(show), designed.view());

@@ -65,11 +65,20 @@ struct RunContext {
   void requireSilence() const;
 };
 
-/// Those that the scene needs. picture: the size of the pictures; show: what becomes of them.
-/// Throws DeviceError when there is no device that will do, InputError when it cannot hold the
-/// grid.
+/// On stderr, where kernels take long to compile.
+void sayWhenCompiling(const Device& device);
+
+/// The device that the scene needs; null: it needs none. Says when it compiles for long, unless
+/// quiet. Throws DeviceError when there is none that will do.
+std::shared_ptr<Device> deviceFor(const Scene& scene, const DeviceOptions& options, bool quiet);
+
+/// For designScene(): whether the device can hold the scene's grid. Keeps a reference to the scene.
+RequireShape roomOn(std::shared_ptr<const Device> device, const Scene& scene);
+
+/// picture: the size of the pictures; show: what becomes of them. device: null where the scene
+/// needs none.
 RunContext createRunContext(const Scene& scene, const SceneDesign& designed,
-                            const DeviceOptions& device, const PictureOptions& picture,
+                            std::shared_ptr<Device> device, const PictureOptions& picture,
                             ShowPanel show);
 
 }  // namespace morphgrid

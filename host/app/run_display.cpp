@@ -98,7 +98,7 @@ void putDesign(const SceneDesign& designed, const RunRecord& record,
                          ? std::make_shared<Eigen::VectorXd>(designed.angleErrors)
                          : nullptr;
   next.figures = toTable(record);
-  next.notices = record.notices;
+  next.notices = textsOf(record.notices);
   next.extent.setEmpty();
   if (target) {
     extend(next.extent, *target->positions);
@@ -119,7 +119,7 @@ void putEnd(const Simulation& simulation, const ShownGrid& end, Snapshot& next) 
     slotOf(ShownStage::surface, next) = end;
   }
   next.figures = toTable(record) + judgeRun(record).line();
-  next.notices = record.notices;
+  next.notices = textsOf(record.notices);
   next.history = last.history;
 }
 

@@ -93,7 +93,14 @@ class SceneReader {
     readFile(request.file, [&] { request.configuration = readMeshConfiguration(request.file); });
   }
 
-  void complete(TomlSection&, BendAngleRequest&) {}
+  void complete(TomlSection&, BendAngleRequest&) {
+    TomlSection root = reader_.root();
+    if (root.node("true_shape")) {
+      root.reject("true_shape",
+                  "needs a target: a surface of kind \"bezier\" or \"mesh\", this one is "
+                  "\"bend_angles\"");
+    }
+  }
 
   void completePrint() {
     TomlSection section = reader_.section("print");

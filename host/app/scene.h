@@ -51,7 +51,8 @@ struct Scene {
   std::string name;   ///< The file's stem.
   std::string title;  ///< For people; the name when the file has none.
   std::filesystem::path file;
-  std::string text;  ///< The whole scene, see sceneText().
+  std::string text;        ///< The whole scene, see sceneText().
+  bool trueShape = false;  ///< Whether what is not said otherwise is as kTrueShape has it.
   SurfaceRequest surface;
   DesignRequest design;
   MaterialRequest material;

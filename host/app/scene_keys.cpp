@@ -6,6 +6,7 @@
 namespace morphgrid {
 namespace {
 
+const std::vector<std::size_t> kMeasuredSurfaces{0, 1};
 constexpr IntegerRange kPixels{64, 8192};
 
 // Far beyond what a grid that converges needs: tens of cycles, thousands of simple iterations.
@@ -22,6 +23,14 @@ SceneKeySection topKeys() {
                                          "string", "a readable file"},
                .meaning = "Another scene, relative to this file. It gives the keys that this file "
                           "leaves out, and may extend a third one."},
+              {.name = "true_shape",
+               .value = booleanKey(at(&Scene::trueShape)),
+               .kinds = kMeasuredSurfaces,
+               .knob = KnobOffer{"true shape"},
+               .meaning = "Whether to ask for lengths that bring the simulated grid to its target, "
+                          "as it is printed: other defaults for `material.model`, "
+                          "`material.least_shrinkage`, `design.compensate`, `design.optimise` and "
+                          "`design.enforce_shrinkage`."},
               {.name = "title",
                .value = textKey(at(&Scene::title)),
                .otherwise = [](Scene& scene) { scene.title = scene.name; },
@@ -173,8 +182,8 @@ KnobOffer aroundItsValue(std::string label) {
 
 const std::vector<SceneKeySection>& sceneKeys() {
   static const std::vector<SceneKeySection> kSections = {
-      topKeys(),   surfaceKeys(), materialKeys(), printKeys(),  gridKeys(),
-      designKeys(), weightKeys(), solverKeys(),   outputKeys(), paperKeys()};
+      topKeys(),    surfaceKeys(), materialKeys(), printKeys(),  gridKeys(),
+      designKeys(), weightKeys(),  solverKeys(),   outputKeys(), paperKeys()};
   return kSections;
 }
 

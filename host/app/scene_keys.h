@@ -13,6 +13,16 @@ using SceneKeySection = TomlKeySection<Scene>;
 /// The range of counts of things of which there must be one.
 inline constexpr IntegerRange kCounts{1, std::numeric_limits<int>::max()};
 
+/// What `true_shape` means where a scene does not say otherwise.
+struct TrueShape {
+  Model model = Model::frame;
+  double leastShrinkage = 0.02;
+  int compensateRounds = 10;
+  int optimiseSteps = 20;
+  bool enforceShrinkage = true;
+};
+inline constexpr TrueShape kTrueShape;
+
 /// All keys of scene files, section by section: readers, knobs and docs/scene_format.md come from
 /// here. Kinds are those of surfaces, as SurfaceRequest has them.
 const std::vector<SceneKeySection>& sceneKeys();

@@ -40,6 +40,12 @@ class KnobMaker {
     return knob;
   }
 
+  std::optional<Knob> operator()(const BooleanKey<Scene>& key) const {
+    auto knob = holding(key.access.get(scene_));
+    if (knob) knob->isBoolean = true;
+    return knob;
+  }
+
   /// Nothing that a window can turn.
   template <typename Key>
   std::optional<Knob> operator()(const Key&) const {
@@ -65,7 +71,7 @@ std::vector<Knob> knobsOf(const Scene& scene) {
     for (const SceneKey& key : section.keys) {
       if (!key.knob || !key.isOf(scene.surface.index())) continue;
       if (auto knob = std::visit(KnobMaker(scene, *key.knob), key.value)) {
-        knob->key = section.name + "." + key.name;
+        knob->key = section.name.empty() ? key.name : section.name + "." + key.name;
         knobs.push_back(std::move(*knob));
       }
     }
@@ -92,6 +98,10 @@ Knob turned(Knob knob, const std::string& text) {
         knob.value = double(n);
       }
     }
+    return knob;
+  }
+  if (knob.isBoolean) {
+    knob.value = text == "true" ? 1 : 0;
     return knob;
   }
   double value = knob.value;

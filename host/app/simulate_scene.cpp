@@ -11,10 +11,11 @@ namespace {
 void noteSaddle(RunRecord& record, const char* stage, const Equilibrium& equilibrium) {
   if (verdictOf(equilibrium) == Verdict::saddle) {
     record.notices.push_back(
-        fmt::format("the {} stage ended at a saddle, not at a minimum: there is a motion along "
-                    "which the energy "
-                    "falls; try another solver.method, grid.layer_spacing or grid.nodes_long",
-                    stage));
+        {fmt::format("the {} stage ended at a saddle, not at a minimum: there is a motion along "
+                     "which the energy "
+                     "falls; try another solver.method, grid.layer_spacing or grid.nodes_long",
+                     stage),
+         Severity::result});
   }
 }
 
@@ -22,28 +23,32 @@ void noteOtherWay(RunRecord& record) {
   const auto& inverse = record.inverse;
   if (!inverse || !inverse->fromFlat) return;
   if (!inverse->fromFlat->isSettled) {
-    record.notices.push_back(fmt::format(
-        "whether the optimised grid gets to its design from flat is not known: the check did not "
-        "come to rest within {} cycles; try another grid.layer_spacing or design.optimise",
-        inverse->fromFlat->cycles));
+    record.notices.push_back(
+        {fmt::format("whether the optimised grid gets to its design from flat is not known: the "
+                     "check did not come to rest within {} cycles; try another "
+                     "grid.layer_spacing or design.optimise",
+                     inverse->fromFlat->cycles),
+         Severity::result});
   } else if (!inverse->fromFlat->sameEquilibrium) {
-    record.notices.push_back(fmt::format(
-        "the optimised grid has more than one equilibrium: from flat it morphs into another, "
-        "{:.3g} "
-        "% (RMS) from the target; help it by hand, or try another grid.layer_spacing or "
-        "design.optimise",
-        inverse->fromFlat->rmsPercent));
+    record.notices.push_back(
+        {fmt::format("the optimised grid has more than one equilibrium: from flat it morphs into "
+                     "another, {:.3g} % (RMS) from the target; help it by hand, or try another "
+                     "grid.layer_spacing or design.optimise",
+                     inverse->fromFlat->rmsPercent),
+         Severity::result});
   }
 }
 
 void noteSoftness(RunRecord& record) {
   const auto& inverse = record.inverse;
   if (inverse && inverse->fromFlat && inverse->fromFlat->leastStiffness.value_or(1) < kSoftest) {
-    record.notices.push_back(fmt::format(
-        "on its way from flat the grid comes close to buckling: its smallest eigenvalue falls to "
-        "{:.2g} of the flat sheet's; lower grid.layer_spacing, or take a material of a wider range "
-        "(material.least_shrinkage, grid.max_shrinkage) or a surface that curves less",
-        *inverse->fromFlat->leastStiffness));
+    record.notices.push_back(
+        {fmt::format("on its way from flat the grid comes close to buckling: its smallest "
+                     "eigenvalue falls to {:.2g} of the flat sheet's; lower grid.layer_spacing, or "
+                     "take a material of a wider range (material.least_shrinkage, "
+                     "grid.max_shrinkage) or a surface that curves less",
+                     *inverse->fromFlat->leastStiffness),
+         Severity::printing});
   }
   if (inverse && inverse->refusedAsSoft > 0) {
     record.notices.push_back(fmt::format(
@@ -60,11 +65,13 @@ constexpr double kAsymmetric = 0.05;
 void noteAsymmetry(RunRecord& record) {
   const auto& symmetry = record.symmetry;
   if (symmetry && symmetry->resultPercent > kAsymmetric) {
-    record.notices.push_back(fmt::format(
-        "the target is symmetric under a {}, the result is not, by {:.2g} % (RMS): it has buckled "
-        "to one side, and its mirror twin is as likely; a sheet that fits "
-        "(design.layout = \"conformal\"), thicker bars or less shrinkage keep it from that",
-        toString(symmetry->kind), symmetry->resultPercent));
+    record.notices.push_back(
+        {fmt::format("the target is symmetric under a {}, the result is not, by {:.2g} % (RMS): it "
+                     "has buckled to one side, and its mirror twin is as likely; a sheet that fits "
+                     "(design.layout = \"conformal\"), thicker bars or less shrinkage keep it "
+                     "from that",
+                     toString(symmetry->kind), symmetry->resultPercent),
+         Severity::result});
   }
 }
 
@@ -81,23 +88,25 @@ Eigen::Isometry3d alignResult(const Stage& stage, const std::optional<Eigen::Mat
 
 /// What of the design and of its result cannot be printed, or cannot be.
 void assessPrintability(const Stage& stage, const Scene& scene, RunRecord& record) {
-  const auto tell = [&](const std::vector<std::string>& advice) {
-    record.notices.insert(record.notices.end(), advice.begin(), advice.end());
+  const auto tell = [&](const std::vector<std::string>& advice, Severity severity) {
+    for (const std::string& text : advice) record.notices.push_back({text, severity});
   };
   if (record.full) {
     record.shrink = computeShrink(stage.grid, stage.shrinkBounds);
     if (scene.print) {
       record.print = assessPrint(stage.grid, scene.print->tools);
     } else {
-      tell(adviseOn(*record.shrink, stage.shrinkBounds.material));
+      tell(adviseOn(*record.shrink, stage.shrinkBounds.material), Severity::printing);
     }
     const std::optional<double>& limit = scene.design.maxStrain;
     record.strain = computeStrain(stage.grid, stage.equilibrium.positions, limit);
-    if (limit) tell(adviseOn(*record.strain, *limit));
+    if (limit) tell(adviseOn(*record.strain, *limit), Severity::printing);
   }
   record.feasibility = examineFeasibility(stage.grid.shape, stage.equilibrium.positions,
                                           strutThicknessOf(scene, stage.mmPerUnit));
-  tell(adviseOn(*record.feasibility));
+  const bool canBe =
+      record.feasibility->cells.inverted == 0 && record.feasibility->selfIntersection.cells == 0;
+  tell(adviseOn(*record.feasibility), canBe ? Severity::printing : Severity::result);
 }
 
 }  // namespace
@@ -108,10 +117,6 @@ Simulation simulateScene(const Scene& scene, const SceneDesign& designed, RunCon
   RunRecord record = recordOf(scene, designed);
   record.device =
       scene.method == Method::reference ? "CPU, double precision" : context.device->name();
-  if (const MeshSampling* sampling = designed.target ? designed.target->meshSampling() : nullptr) {
-    context.draw(
-        [&](Pictures& pictures) { pictures.drawSampling(sampling->mesh, sampling->hits); });
-  }
 
   Stages stages(scene, context, keeper, quiet);
   Stage stage =
@@ -161,16 +166,8 @@ Simulation simulateScene(const Scene& scene, const SceneDesign& designed, RunCon
                                       middleLayer(stage.grid.shape, positions));
     noteAsymmetry(record);
   }
+  putMostImportantFirst(record.notices);
   const Eigen::Isometry3d targetFromGrid = alignResult(stage, designed.targets);
-  context.draw([&](Pictures& pictures) {
-    pictures.drawResult(*stage.onDevice, positions, targetFromGrid, designed.targets);
-    if (record.inverse) {  // Drawn before with the lengths that it began with.
-      pictures.drawStacked(DeviceGrid(*context.device, stage.grid), stage.grid.positions);
-    }
-    if (record.full) {
-      pictures.drawShrink(stage.grid, stage.shrinkBounds);
-    }
-  });
   return {std::move(record), std::move(stage), targetFromGrid};
 }
 

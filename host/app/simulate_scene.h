@@ -13,8 +13,8 @@ struct Simulation {
   Eigen::Isometry3d targetFromGrid;  ///< Without a target: from the last stage to where it began.
 };
 
-/// Solves in the plane, stacks, solves in space, with the inverse design that the scene asks for;
-/// draws on the way. The keeper says where to begin. Throws Cancelled where scene.solve is
+/// Solves in the plane, stacks, solves in space, with the inverse design that the scene asks for.
+/// The keeper says where to begin. Throws Cancelled where scene.solve is
 /// cancelled, because nobody waits for the result, and when the user interrupts before anything is
 /// solved.
 Simulation simulateScene(const Scene& scene, const SceneDesign& designed, RunContext& context,

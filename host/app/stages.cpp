@@ -27,6 +27,8 @@ Equilibrium laidOut(const Sheet& sheet) {
   return result;
 }
 
+constexpr int kStepsThatTellARate = 3;
+
 /// Those of each layer, bottom first, in the order of LateralRest.
 Eigen::VectorXd lateralRestOf(const GridShape& shape,
                               const std::vector<LateralField<double>>& layers) {
@@ -75,6 +77,13 @@ void Stages::showOnDevice(const Stage& stage) {
       stage.onDevice->uploadPositions(stage.equilibrium.positions, stage.equilibrium.rotations);
     });
   }
+}
+
+/// Of a stage that is not begun any more: solvers of large grids take long to make.
+Equilibrium Stages::untouched(const StrutGrid& grid) const {
+  Equilibrium result = lastKnown(grid);
+  result.reason = StopReason::interrupted;
+  return result;
 }
 
 /// Where the solve stood when the device failed.
@@ -167,7 +176,8 @@ std::optional<InverseDesign> Stages::improve(Stage& stage, const SceneDesign& de
     if (!quiet_) {
       progress.tell(fmt::format("step {} of {}, distance {:.3g} % RMS, {:.3g} % at most", done,
                                 stepCount, step.rmsPercent, step.maxPercent),
-                    step.seconds, done > 0 ? step.seconds / done * (stepCount - done) : -1);
+                    step.seconds,
+                    done >= kStepsThatTellARate ? step.seconds / done * (stepCount - done) : -1);
     }
   };
   if (context_.onCheckFromFlat) {
@@ -243,17 +253,12 @@ void Stages::reachPrintedLayer(Stage& stage, const Sheet* sheet) {
 Stage Stages::runInPlane(const GridDesign& design, const Sheet* sheet) {
   Stage stage = prepare({.grid = inPlaneGrid(design, scene_.weights, scene_.scaling),
                          .shrinkBounds = shrinkBoundsOf(scene_, std::nullopt)});
-  context_.draw(
-      [&](Pictures& pictures) { pictures.drawInitial(*stage.onDevice, stage.grid.positions); });
   reachPrintedLayer(stage, sheet);
   showOnDevice(stage);
   if (!sheet) {
     assessStability(stage, Motions::inPlane);
   }
   stage.solver.reset();
-  context_.draw([&](Pictures& pictures) {
-    pictures.drawInPlane(*stage.onDevice, stage.equilibrium.positions);
-  });
   return stage;
 }
 
@@ -267,21 +272,21 @@ Stage Stages::runFull(const SceneDesign& designed, const Eigen::Matrix3Xd& print
   };
   double printScale = 1;
   if (scene_.design.enforceShrinkage && scene_.design.layout != Layout::conformal) {
-    printScale = choosePrintScale(stackedAt(1), [&](double scale) {
-      return shrinkBoundsOf(scene_, mmPerUnitAt(scale));
-    });
+    printScale = choosePrintScale(
+        stackedAt(1), [&](double scale) { return shrinkBoundsOf(scene_, mmPerUnitAt(scale)); });
   }
   const std::optional<double> mmPerUnit = mmPerUnitAt(printScale);
   StrutGrid grid = stackedAt(printScale);
   applyMaterial(grid, materialOf(scene_, mmPerUnit));
-  Stage stage = prepare({.grid = std::move(grid),
-                         .printScale = printScale,
-                         .mmPerUnit = mmPerUnit,
-                         .shrinkBounds = shrinkBoundsOf(scene_, mmPerUnit)});
-  context_.draw([&](Pictures& pictures) {
-    if (mmPerUnit) pictures.tellLengthsIn({*mmPerUnit, "mm"});
-    pictures.drawStacked(*stage.onDevice, stage.grid.positions);
-  });
+  Stage stage{.grid = std::move(grid),
+              .printScale = printScale,
+              .mmPerUnit = mmPerUnit,
+              .shrinkBounds = shrinkBoundsOf(scene_, mmPerUnit)};
+  if (scene_.solve.stopRequested()) {
+    stage.equilibrium = untouched(stage.grid);
+    return stage;
+  }
+  stage = prepare(std::move(stage));
   if (keeper_.full()) {
     stage.equilibrium = *keeper_.full();
   } else {

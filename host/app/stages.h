@@ -47,6 +47,7 @@ class Stages {
   void showOnDevice(const Stage& stage);
   void assessStability(Stage& stage, Motions motions);
   void assessDesign(Stage& stage);
+  Equilibrium untouched(const StrutGrid& grid) const;
   Equilibrium lastKnown(const StrutGrid& grid) const;
 
   const Scene& scene_;

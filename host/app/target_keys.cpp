@@ -239,6 +239,11 @@ SceneKeySection designKeys() {
           {.name = "compensate",
            .value = integerKey(ofDesign(&DesignRequest::compensateRounds), kRounds),
            .kinds = kMeasured,
+           .otherwise =
+               [](Scene& scene) {
+                 if (scene.trueShape) scene.design.compensateRounds = kTrueShape.compensateRounds;
+               },
+           .defaultInWords = "0; 10 for `true_shape`",
            .knob = KnobOffer{"compensation rounds"},
            .meaning = "Rounds of spring-back correction. On a conformal sheet lengths are designed "
                       "anew for "
@@ -248,6 +253,12 @@ SceneKeySection designKeys() {
           {.name = "optimise",
            .value = integerKey(ofDesign(&DesignRequest::optimiseSteps), kRounds),
            .kinds = kMeasured,
+           .otherwise =
+               [](Scene& scene) {
+                 if (scene.trueShape) scene.design.optimiseSteps = kTrueShape.optimiseSteps;
+               },
+           .defaultInWords = "0; 20 for `true_shape`",
+           .knob = KnobOffer{"optimiser steps"},
            .meaning = "Steps of adjoint optimisation of the lateral rest lengths, after the "
                       "correction. Both only for `solver.method = \"multigrid\"`."},
           {.name = "max_strain",
@@ -264,6 +275,12 @@ SceneKeySection designKeys() {
           {.name = "enforce_shrinkage",
            .value = booleanKey(ofDesign(&DesignRequest::enforceShrinkage)),
            .kinds = kMeasured,
+           .otherwise =
+               [](Scene& scene) {
+                 if (scene.trueShape) scene.design.enforceShrinkage = kTrueShape.enforceShrinkage;
+               },
+           .defaultInWords = "`false`; `true` for `true_shape`",
+           .knob = KnobOffer{"enforce shrinkage"},
            .meaning =
                "Whether every strut shrinks by no less than `material.least_shrinkage` and no "
                "more than `grid.max_shrinkage`, or with `[print]` keeps to what it can by itself, "

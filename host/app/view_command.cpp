@@ -3,7 +3,7 @@
 #include "app/commands.h"
 #include "app/live_run.h"
 #include "app/propose_files.h"
-#include "core/interrupt.h"
+#include "core/on_interrupt.h"
 #include "view/viewer.h"
 
 namespace morphgrid {
@@ -47,7 +47,8 @@ int view(const ViewArguments& arguments) {
   device.presentation = Window::presentation();
   RunContext context;
   context.device = std::make_shared<Device>(device);
-  installInterruptHandler();
+  sayWhenCompiling(*context.device);
+  const OnInterrupt closing(InterruptAct::stop, "");
   {
     LiveRun session(context.device, std::move(options));
     runViewer(

@@ -13,7 +13,7 @@
 #include <stdexcept>
 
 #include "core/atomic_file.h"
-#include "core/error.h"
+#include "core/output_error.h"
 #include "core/read_file.h"
 
 namespace morphgrid {
@@ -222,8 +222,8 @@ void writeArrayFile(const std::filesystem::path& file, const ArrayFormat& format
                     const std::vector<NamedText>& texts, const std::vector<NamedArray>& arrays) {
   const std::string header = headerOf(format, texts, arrays);
   if (header.size() - kLengthBytes > kLargestHeader) {
-    throw InputError(fmt::format("{}: cannot be written: the texts of the {} exceed {} MiB",
-                                 file.string(), format.noun, kLargestHeader >> 20));
+    throw OutputError(fmt::format("{}: cannot be written: the texts of the {} exceed {} MiB",
+                                  file.string(), format.noun, kLargestHeader >> 20));
   }
   writeFileAtomically(file, [&](std::ostream& stream) {
     std::uint32_t sum = 0;

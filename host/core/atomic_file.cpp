@@ -9,7 +9,8 @@
 #include <fstream>
 #include <optional>
 
-#include "core/error.h"
+#include "core/on_interrupt.h"
+#include "core/output_error.h"
 
 namespace morphgrid {
 
@@ -57,9 +58,11 @@ void removeStale(const std::filesystem::path& finalPath) {
 PendingFile::PendingFile(std::filesystem::path finalPath) : finalPath_(std::move(finalPath)) {
   temporaryPath_ = temporaryOf(finalPath_, getpid());
   removeStale(finalPath_);
+  slot_ = removeWhenEnded(temporaryPath_.c_str());
 }
 
 PendingFile::~PendingFile() {
+  keepWhenEnded(slot_);
   if (!committed_) {
     std::error_code ignored;  // A destructor has nobody to tell; the file may never have been made.
     std::filesystem::remove(temporaryPath_, ignored);
@@ -70,7 +73,7 @@ void PendingFile::commit() {
   std::error_code error;
   std::filesystem::rename(temporaryPath_, finalPath_, error);
   if (error) {
-    throw InputError(
+    throw OutputError(
         fmt::format("{}: cannot be written: {}", finalPath_.string(), error.message()));
   }
   committed_ = true;
@@ -83,7 +86,7 @@ void writeFileAtomically(const std::filesystem::path& path,
   write(stream);
   stream.close();
   if (!stream) {
-    throw InputError(fmt::format(
+    throw OutputError(fmt::format(
         "{}: cannot be written: is the folder there, writable and not full?", path.string()));
   }
   pending.commit();

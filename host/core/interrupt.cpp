@@ -1,24 +1,98 @@
-#include "core/interrupt.h"
+#include "core/on_interrupt.h"
 
+#include <sys/time.h>
+#include <unistd.h>
+
+#include <array>
+#include <atomic>
+#include <cerrno>
+#include <cmath>
 #include <csignal>
+#include <cstring>
 
 namespace morphgrid {
 namespace {
 
-volatile std::sig_atomic_t interrupted = 0;
+// What a signal handler may use: atomics without locks, and few functions.
+static_assert(std::atomic<const char*>::is_always_lock_free);
+static_assert(std::atomic<InterruptAct>::is_always_lock_free);
 
-void onSignal(int signal) {
-  interrupted = 1;
-  std::signal(signal, SIG_DFL);
+// More than are ever written at once; the next run removes what a crowd beyond that leaves.
+constexpr int kMostPending = 1024;
+constexpr int kNoPlace = -1;
+
+std::atomic<bool> interrupted = false;
+std::atomic<InterruptAct> interruptAct = InterruptAct::stop;
+std::atomic<const char*> interruptLine = "";
+std::array<std::atomic<const char*>, kMostPending> pendingFiles{};
+
+void tellNow(const char* line) {
+  if (*line == 0) return;
+  // Nobody is there to tell that this fails.
+  [[maybe_unused]] auto told = write(STDERR_FILENO, "\n", isatty(STDERR_FILENO) ? 1 : 0);
+  told = write(STDERR_FILENO, line, std::strlen(line));
+  told = write(STDERR_FILENO, "\n", 1);
 }
+
+[[noreturn]] void endNow() {
+  for (std::atomic<const char*>& file : pendingFiles) {
+    if (const char* path = file.exchange(nullptr)) unlink(path);
+  }
+  _exit(kInterruptedCode);
+}
+
+void onInterrupt(int) {
+  const int before = errno;
+  const bool isSecond = interrupted.exchange(true);
+  if (isSecond) {
+    tellNow("interrupted again: the rest is dropped");
+    endNow();
+  }
+  tellNow(interruptLine);
+  if (interruptAct == InterruptAct::end) endNow();
+  errno = before;
+}
+
+void onTimeUp(int) { endNow(); }
 
 }  // namespace
 
 void installInterruptHandler() {
-  std::signal(SIGINT, onSignal);
-  std::signal(SIGTERM, onSignal);
+  std::signal(SIGINT, onInterrupt);
+  std::signal(SIGTERM, onInterrupt);
 }
 
-bool interruptRequested() { return interrupted != 0; }
+bool interruptRequested() { return interrupted; }
+
+OnInterrupt::OnInterrupt(InterruptAct act, const char* line)
+    : actBefore_(interruptAct.exchange(act)), lineBefore_(interruptLine.exchange(line)) {}
+
+OnInterrupt::~OnInterrupt() {
+  interruptAct = actBefore_;
+  interruptLine = lineBefore_;
+}
+
+void endIn(double seconds) {
+  std::signal(SIGALRM, onTimeUp);
+  const double whole = std::floor(seconds);
+  const itimerval timer{
+      .it_interval = {},
+      .it_value = {static_cast<time_t>(whole), static_cast<suseconds_t>(1e6 * (seconds - whole))}};
+  setitimer(ITIMER_REAL, &timer, nullptr);
+}
+
+int removeWhenEnded(const char* path) {
+  for (int number = 0; number < kMostPending; ++number) {
+    const char* none = nullptr;
+    if (pendingFiles[static_cast<std::size_t>(number)].compare_exchange_strong(none, path)) {
+      return number;
+    }
+  }
+  return kNoPlace;
+}
+
+void keepWhenEnded(int number) {
+  if (number != kNoPlace) pendingFiles[static_cast<std::size_t>(number)] = nullptr;
+}
 
 }  // namespace morphgrid

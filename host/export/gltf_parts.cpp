@@ -7,7 +7,7 @@
 #include <sstream>
 
 #include "core/atomic_file.h"
-#include "core/error.h"
+#include "core/output_error.h"
 
 namespace morphgrid {
 namespace {
@@ -59,8 +59,8 @@ tinygltf::Material surfaceMaterial() {
 void requireSize(const std::filesystem::path& path, const tinygltf::Model& model) {
   const std::size_t size = model.buffers.front().data.size();
   if (size > std::numeric_limits<int>::max()) {
-    throw InputError(fmt::format("{}: cannot be written: {} bytes of geometry, glTF holds 2 GiB",
-                                 path.string(), size));
+    throw OutputError(fmt::format("{}: cannot be written: {} bytes of geometry, glTF holds 2 GiB",
+                                  path.string(), size));
   }
 }
 
@@ -136,7 +136,7 @@ void placeAt(tinygltf::Model& model, const Eigen::Vector3d& origin) {
 
 void requireFloats(const std::filesystem::path& path, const Eigen::Matrix3Xd& values) {
   if (!values.cast<float>().allFinite()) {
-    throw InputError(fmt::format(
+    throw OutputError(fmt::format(
         "{}: cannot be written: glTF holds 32-bit floats, and a coordinate is not finite as one",
         path.string()));
   }

@@ -18,7 +18,7 @@
 #include <vector>
 
 #include "core/atomic_file.h"
-#include "core/error.h"
+#include "core/output_error.h"
 #include "energy/bar_state.h"
 #include "grid/shrink.h"
 #include "grid/strain.h"
@@ -130,7 +130,7 @@ void write(const std::filesystem::path& path, vtkUnstructuredGrid& grid) {
   // Into memory: VTK's pipeline prints what the disk refuses, whoever listens to the writer.
   writer->WriteToOutputStringOn();
   if (writer->Write() == 0) {
-    throw InputError(fmt::format("{}: cannot be written: VTK ran out of memory", path.string()));
+    throw OutputError(fmt::format("{}: cannot be written: VTK ran out of memory", path.string()));
   }
   writeFileAtomically(path, writer->GetOutputString());
 }

@@ -148,7 +148,7 @@ void CommandStream::Recorder::bind(const ComputeKernel& kernel, const void* push
                                    std::uint32_t pushBytes) {
   const KernelProgram& program = kernel.program();
   const vk::DescriptorSet set = kernel.resources().handle();
-  commands().bindPipeline(vk::PipelineBindPoint::eCompute, *program.pipeline.get());
+  commands().bindPipeline(vk::PipelineBindPoint::eCompute, device_.programs().await(program));
   commands().bindDescriptorSets(vk::PipelineBindPoint::eCompute, *program.layout, 0, set, {});
   if (pushBytes > 0) {
     commands().pushConstants<std::byte>(

@@ -2,7 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <chrono>
+#include <utility>
+
 #include "core/error.h"
+#include "gpu/slow_compile.h"
 
 namespace morphgrid {
 namespace {
@@ -51,6 +55,10 @@ KernelProgram compile(const Device& device, ShaderCode spirv,
 
 }  // namespace
 
+void tellSlowCompile(const Device& device, std::function<void()> tell) {
+  device.programs().onSlowCompile(std::move(tell));
+}
+
 std::shared_ptr<const KernelProgram> KernelPrograms::find(
     const Device& device, ShaderCode spirv, const std::vector<ResourceSlot>& slots,
     std::uint32_t pushConstantBytes, const std::vector<std::uint32_t>& specialization) {
@@ -61,6 +69,14 @@ std::shared_ptr<const KernelProgram> KernelPrograms::find(
         compile(device, spirv, slots, pushConstantBytes, specialization));
   }
   return program;
+}
+
+vk::Pipeline KernelPrograms::await(const KernelProgram& program) {
+  constexpr std::chrono::seconds kPatience(1);
+  if (onSlowCompile_ && program.pipeline.wait_for(kPatience) == std::future_status::timeout) {
+    std::exchange(onSlowCompile_, {})();
+  }
+  return *program.pipeline.get();
 }
 
 }  // namespace morphgrid

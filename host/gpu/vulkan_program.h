@@ -1,4 +1,5 @@
 #pragma once
+#include <functional>
 #include <future>
 #include <map>
 #include <memory>
@@ -30,10 +31,17 @@ class KernelPrograms {
                                             std::uint32_t pushConstantBytes,
                                             const std::vector<std::uint32_t>& specialization);
 
+  /// See tellSlowCompile().
+  void onSlowCompile(std::function<void()> tell) { onSlowCompile_ = std::move(tell); }
+
+  /// Waits until it is compiled. Throws DeviceError when the device refuses.
+  vk::Pipeline await(const KernelProgram& program);
+
  private:
   using Key =
       std::tuple<const std::uint32_t*, std::vector<ResourceSlot>, std::vector<std::uint32_t>>;
   std::map<Key, std::shared_ptr<const KernelProgram>> programs_;
+  std::function<void()> onSlowCompile_;  ///< Empty once it was called.
 };
 
 }  // namespace morphgrid

@@ -1,10 +1,11 @@
 #include "print/pending_files.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <fstream>
 
-#include "core/error.h"
+#include "core/output_error.h"
 
 namespace morphgrid {
 
@@ -14,12 +15,17 @@ void PendingFiles::write(const std::filesystem::path& file, const std::string& t
   stream.write(text.data(), static_cast<std::streamsize>(text.size()));
   stream.close();
   if (!stream || std::filesystem::is_directory(file)) {
-    throw InputError(fmt::format(
+    lost_.push_back(fmt::format(
         "{}: cannot be written: is the folder there, writable and not full?", file.string()));
   }
 }
 
 void PendingFiles::commit() {
+  if (!lost_.empty()) {
+    throw OutputError(
+        fmt::format("{}\nno file of the print was written: each belongs to the others",
+                    fmt::join(lost_, "\n")));
+  }
   for (const auto& file : files_) file->commit();
 }
 

@@ -1,6 +1,7 @@
 #include "print/write_print_files.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "print/assembly_page.h"
 #include "print/pending_files.h"

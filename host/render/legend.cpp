@@ -23,9 +23,10 @@ Legend strainLegend() {
           [](double place) {
             return strainColor(static_cast<float>((2 * place - 1) * kFullColorStrain));
           },
-          {{0, fmt::format("−{} %", percent), ""},
+          // Struts beyond have the colours of the ends.
+          {{0, fmt::format("≤ −{} %", percent), ""},
            {0.5, "0", ""},
-           {1, fmt::format("+{} %", percent), ""}}};
+           {1, fmt::format("≥ +{} %", percent), ""}}};
 }
 
 Legend shrinkLegend() {

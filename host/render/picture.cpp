@@ -9,7 +9,7 @@
 #include <string_view>
 
 #include "core/atomic_file.h"
-#include "core/error.h"
+#include "core/output_error.h"
 #include "render/font.h"
 
 namespace morphgrid {
@@ -209,7 +209,7 @@ void writePng(const std::filesystem::path& path, const Image& image) {
   };
   if (stbi_write_png_to_func(append, &bytes, image.width, image.height, kChannels, rgb.data(),
                              kChannels * image.width) == 0) {
-    throw InputError(fmt::format("{}: the picture cannot be packed", path.string()));
+    throw OutputError(fmt::format("{}: the picture cannot be packed", path.string()));
   }
   writeFileAtomically(path, bytes);
 }

@@ -308,7 +308,8 @@ RunRecord readRecord(const json& r) {
   if (!r.at("device_failure").is_null()) {
     record.deviceFailure = r.at("device_failure").get<std::string>();
   }
-  record.notices = r.at("notices").get<std::vector<std::string>>();
+  const auto notices = r.at("notices").get<std::vector<std::string>>();
+  record.notices.assign(notices.begin(), notices.end());
   return record;
 }
 

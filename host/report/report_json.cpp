@@ -251,7 +251,8 @@ ordered_json printedSheetToJson(const RunRecord& record) {
   }
   const auto pair = [](const Eigen::Array2d& size) { return ordered_json{size.x(), size.y()}; };
   const auto mm = record.printedSheetMm();
-  return {{"size", pair(*record.printedSheet)}, {"size_mm", mm ? pair(*mm) : ordered_json(nullptr)}};
+  return {{"size", pair(*record.printedSheet)},
+          {"size_mm", mm ? pair(*mm) : ordered_json(nullptr)}};
 }
 
 template <typename Figures>
@@ -290,7 +291,7 @@ std::string toJson(const RunRecord& record) {
       {"feasibility", orNull(record.feasibility)},
       {"device_failure",
        record.deviceFailure ? ordered_json(*record.deviceFailure) : ordered_json(nullptr)},
-      {"notices", record.notices},
+      {"notices", textsOf(record.notices)},
       {"verdict", toJson(judgeRun(record))}};
   return json.dump(2) + "\n";
 }

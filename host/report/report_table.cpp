@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "core/visible_text.h"
 #include "report/degrees.h"
 #include "surface/box_text.h"
@@ -34,6 +36,11 @@ class Table {
   const std::optional<PublishedFigures>& published_;
   std::string text_;
 };
+
+/// Two digits behind the point, or two at all of what is smaller than a tenth.
+std::string digitsOf(double percent) {
+  return std::abs(percent) < 0.1 ? fmt::format("{:.2g}", percent) : fmt::format("{:.2f}", percent);
+}
 
 /// "" where the paper says nothing.
 template <typename... Values>
@@ -200,6 +207,8 @@ void addInverse(Table& table, const RunRecord& record) {
         steps.size() - 1, record.inverse->ending, first.rmsPercent, first.maxPercent,
         last.rmsPercent, last.maxPercent, last.seconds));
   }
+  // Its own time and iterations are those of the last step.
+  if (record.inverse) addStage(table, "its end:", record.full);
   if (record.inverse && record.inverse->fromFlat) {
     const FromFlat& check = *record.inverse->fromFlat;
     table.line(fmt::format("  check from flat: {} cycles ({}), distance {:.3g} %, {:.2f} s",
@@ -208,7 +217,7 @@ void addInverse(Table& table, const RunRecord& record) {
 }
 
 void addResults(Table& table, const RunRecord& record, const PublishedFigures& paper) {
-  const auto percent = [](double value) { return fmt::format("{:.2f} %", value); };
+  const auto percent = [](double value) { return digitsOf(value) + " %"; };
   if (record.errors) {
     table.row("L0 error", percent(record.errors->l0Percent), ifAll("{:.2f} %", paper.l0Percent));
     table.row("L_b error", percent(record.errors->lbPercent), ifAll("{:.2f} %", paper.lbPercent));
@@ -217,9 +226,11 @@ void addResults(Table& table, const RunRecord& record, const PublishedFigures& p
   }
   if (record.distance) {
     const TargetDistance& d = *record.distance;
-    table.row("distance, RMS / max", fmt::format("{:.2f} / {:.2f} %", d.rmsPercent, d.maxPercent));
-    table.row("  to closest point",
-              fmt::format("{:.2f} / {:.2f} %", d.closestPointRmsPercent, d.closestPointMaxPercent));
+    const auto pair = [](double mean, double largest) {
+      return fmt::format("{} / {} %", digitsOf(mean), digitsOf(largest));
+    };
+    table.row("distance, RMS / max", pair(d.rmsPercent, d.maxPercent));
+    table.row("  to closest point", pair(d.closestPointRmsPercent, d.closestPointMaxPercent));
   }
   if (record.shrink) {
     table.row("largest shrink", percent(record.shrink->largestPercent));
@@ -259,7 +270,7 @@ std::string toTable(const RunRecord& record) {
   Table table(record);
   addFigures(table, record);
   addStage(table, "in plane:", record.inPlane);
-  addStage(table, "full:", record.full);
+  if (!record.inverse) addStage(table, "full:", record.full);
   addInverse(table, record);
   return table.text();
 }

@@ -12,6 +12,7 @@
 #include "print/assess_print.h"
 #include "report/feasibility.h"
 #include "report/figures.h"
+#include "report/notice.h"
 #include "report/shrink_figures.h"
 #include "report/symmetry_figures.h"
 #include "report/weight_figures.h"
@@ -74,8 +75,8 @@ struct RunRecord {
   std::optional<Equilibrium> inPlane;
   /// Extents along x and y of the flat sheet that is printed, in the scene's unit.
   std::optional<Eigen::Array2d> printedSheet;
-  std::optional<BarSizes> bars;            ///< Not of Model::paper.
-  std::optional<PrintAssessment> print;    ///< Only with [print].
+  std::optional<BarSizes> bars;          ///< Not of Model::paper.
+  std::optional<PrintAssessment> print;  ///< Only with [print].
   /// How much the sheet that the in-plane stage left is enlarged, see choosePrintScale().
   double printScale = 1;
   std::optional<Equilibrium> full;       ///< Not for grids of one layer.
@@ -89,7 +90,9 @@ struct RunRecord {
   std::optional<Feasibility> feasibility;
   std::optional<PublishedFigures> published;
   std::optional<std::string> deviceFailure;  ///< What the device said when it failed on the way.
-  std::vector<std::string> notices;
+  std::vector<Notice> notices;               ///< Of a finished run the most important first.
+  /// Files that could not be written and why; known only after the report is.
+  std::vector<std::string> lostFiles;
 
   /// The same in mm; with [print].
   std::optional<Eigen::Array2d> printedSheetMm() const {

@@ -18,6 +18,7 @@ constexpr double kDegreesPerRadian = 180 / std::numbers::pi;
 constexpr float kPlotHeight = 46;  // Pixels.
 constexpr float kStrutStyleWidth = 120;
 constexpr float kMessageWidth = 480;
+constexpr float kStatusLines = 2;
 constexpr const char* kAutomatic = "automatic";
 constexpr const char* kHelp =
     "Drag with the left button: turn.  Right button or Shift: move.  Wheel: nearer, farther.\n"
@@ -97,7 +98,10 @@ void plot(const char* label, const std::vector<ConvergenceSample>& history,
 }
 
 void drawRun(const Snapshot& snapshot, ViewState& state, Session& session) {
+  // Always as high: controls below would move under the mouse.
+  ImGui::BeginChild("status", {0, kStatusLines * ImGui::GetTextLineHeightWithSpacing()});
   ImGui::TextWrapped("%s", snapshot.status.c_str());
+  ImGui::EndChild();
   drawRunButtons(state, session);
   ImGui::PushID("residual");
   plot("residual", snapshot.history, &ConvergenceSample::residual);
@@ -210,6 +214,11 @@ std::optional<std::string> drawKnob(const Knob& knob) {
         ImGui::Combo(knob.label.c_str(), &index, text, &choices, static_cast<int>(choices.size()));
     return changed ? std::optional(fmt::format("\"{}\"", knob.choices[index])) : std::nullopt;
   }
+  if (knob.isBoolean) {
+    bool value = knob.value != 0;
+    const bool changed = ImGui::Checkbox(knob.label.c_str(), &value);
+    return changed ? std::optional<std::string>(value ? "true" : "false") : std::nullopt;
+  }
   if (knob.isInteger) {
     int value = static_cast<int>(knob.value);
     ImGui::InputInt(knob.label.c_str(), &value, 1, 10);
@@ -228,7 +237,7 @@ std::optional<std::string> drawKnob(const Knob& knob) {
 /// As TOML wants floating-point numbers: with a point or an exponent.
 std::string toTomlNumber(const Knob& knob, const std::string& text) {
   const bool isWhole = text.find_first_of(".e\"") == std::string::npos;
-  return isWhole && !knob.isInteger ? text + ".0" : text;
+  return isWhole && !knob.isInteger && !knob.isBoolean ? text + ".0" : text;
 }
 
 void drawKnobs(const Snapshot& snapshot, Session& session) {
@@ -254,7 +263,11 @@ void drawBarNumbers(const ShownGrid& shown, const Strut& strut) {
 
 void drawFigures(const Snapshot& snapshot) {
   ImGui::PushFont(ImGui::GetIO().Fonts->Fonts.back());
+  const float height = ImGui::CalcTextSize(snapshot.figures.c_str()).y;
+  ImGui::BeginChild("table", {0, height + 2 * ImGui::GetStyle().ScrollbarSize}, false,
+                    ImGuiWindowFlags_HorizontalScrollbar);
   ImGui::TextUnformatted(snapshot.figures.c_str());
+  ImGui::EndChild();
   ImGui::PopFont();
   for (const std::string& notice : snapshot.notices) {
     ImGui::PushStyleColor(ImGuiCol_Text, kWarning);

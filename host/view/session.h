@@ -45,6 +45,7 @@ struct Knob {
   double low = 0;     ///< Of an integer, the least that the scene file may hold ...
   double high = 1;    ///< ... and the most.
   bool isInteger = false;
+  bool isBoolean = false;  ///< 0 or 1.
   bool isLogarithmic = false;
   std::vector<std::string> choices;  ///< Not empty: one of these.
 };

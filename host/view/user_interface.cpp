@@ -61,8 +61,8 @@ void setStyle() {
 void loadFont() {
   ImFontConfig config;
   config.OversampleH = 1;  // Whole pixels: sharper at this size.
-  static const ImWchar kLetters[] = {0x0020, 0x00FF, 0x0370, 0x03FF, 0x2010, 0x2044,
-                                     0x2190, 0x21FF, 0x2212, 0x2212, 0};
+  static const ImWchar kLetters[] = {0x0020, 0x00FF, 0x0370, 0x03FF, 0x2010, 0x2044, 0x2190,
+                                     0x21FF, 0x2212, 0x2212, 0x2264, 0x2265, 0};
   ImFontAtlas& fonts = *ImGui::GetIO().Fonts;
   fonts.AddFontFromFileTTF(Font::sansFile().c_str(), kTextSize, &config, kLetters);
   // The last font is for tables.

@@ -69,12 +69,12 @@ Presentation Window::presentation() {
   std::uint32_t count = 0;
   const char** names = glfwGetRequiredInstanceExtensions(&count);
   if (!names) {
-    if (glfwVulkanSupported() == GLFW_FALSE) {
-      throw DeviceError(
-          "there is no Vulkan driver; install one for your GPU, or the software device: apt-get "
-          "install mesa-vulkan-drivers");
-    }
-    failToOpen(lastComplaint());
+    // The display is there, a window has been opened on it: it is Vulkan that is not.
+    listDevices();  // Says what is missing where there is no device at all.
+    throw DeviceError(fmt::format(
+        "no Vulkan driver here can draw into a window ({}); install one for your GPU, or the "
+        "software device: apt-get install mesa-vulkan-drivers; `morphgrid run` needs no window",
+        lastComplaint()));
   }
   return {{names, names + count},
           [](VkInstance instance, VkPhysicalDevice device, std::uint32_t queueFamily) {

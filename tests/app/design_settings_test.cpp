@@ -45,6 +45,33 @@ TEST(DesignSettings, InverseDesignNeedsTheMethodThatItRunsOn) {
               HasSubstr("design.optimise must be an integer >= 0 and <= 10000, got -1"));
 }
 
+TEST(DesignSettings, OneKeyAsksForTheTrueShape) {
+  const SceneFiles files(kBezierScene);
+  const Scene scene = files.load({"true_shape=true"});
+  EXPECT_EQ(scene.material.model, Model::frame);
+  EXPECT_EQ(scene.material.leastShrinkage, 0.02);
+  EXPECT_EQ(scene.design.compensateRounds, 10);
+  EXPECT_EQ(scene.design.optimiseSteps, 20);
+  EXPECT_TRUE(scene.design.enforceShrinkage);
+  EXPECT_EQ(scene.design.layout, Layout::conformal) << "what depends on these follows";
+  const Scene other = files.load({"true_shape=true", "design.optimise=0", "material.model=bars",
+                                  "design.enforce_shrinkage=false"});
+  EXPECT_EQ(other.design.optimiseSteps, 0);
+  EXPECT_EQ(other.design.compensateRounds, 10);
+  EXPECT_EQ(other.material.model, Model::bars);
+  EXPECT_FALSE(other.design.enforceShrinkage);
+  EXPECT_THAT(SceneFiles(kBendAnglesScene).problems({"true_shape=true"}),
+              HasSubstr("true_shape needs a target"));
+}
+
+TEST(DesignSettings, TrueScenesAreWhatTheKeyMeans) {
+  const Scene scene = loadScene(sourceFolder() / "scenes/iris_petal_true.toml");
+  const Scene asked = loadScene(sourceFolder() / "scenes/iris_petal.toml",
+                                {"true_shape=true", "grid.max_shrinkage=0.42"});
+  EXPECT_EQ(scene.design, asked.design);
+  EXPECT_EQ(scene.material, asked.material);
+}
+
 TEST(MaterialSettings, AreThePapersUnlessAskedFor) {
   const SceneFiles files(kBezierScene);
   EXPECT_EQ(files.load().material, MaterialRequest{});

@@ -1,5 +1,7 @@
 // The figures command as a user runs it.
 #include <gmock/gmock.h>
+#include <signal.h>
+#include <sys/mount.h>
 
 #include <filesystem>
 #include <regex>
@@ -141,12 +143,58 @@ TEST_F(Figures, StepsThatDoNotConvergeAreTold) {
   EXPECT_TRUE(exists("morph.webp"));
 }
 
-TEST_F(Figures, InterruptedLeavesTheSheet) {
+TEST_F(Figures, InterruptedLeavesTheSheetThatIsThereAndNothingHalf) {
+  const std::vector<std::pair<const char*, std::string>> moments{
+      {"sheet.png", "interrupted: the sheet is written, not all that shows the morph"},
+      {"", "interrupted: nothing more is written"}};
+  for (const auto& [there, told] : moments) {
+    const ProcessResult run = runMorphgridUntil(
+        [&, name = std::string(there)](const std::string& output) {
+          return name.empty() ? output.find("iterations") != std::string::npos : exists(name);
+        },
+        {"figures", sourceFolder() / "scenes/egg_chair.toml", "--out", path("sheet.png"),
+         "--animation", path("morph.webp"), "--frame-count", "1000", "--set", "output.width=160",
+         "--set", "output.height=120", "--set", "grid.nodes_long=60", "--set",
+         std::string("solver.tolerance=") + (*there ? "1e-9" : "1e-15"), "--set",
+         std::string("solver.energy_tolerance=") + (*there ? "1e-9" : "0")},
+        SIGINT);
+    EXPECT_EQ(run.exitCode, 130) << run.output;
+    EXPECT_THAT(run.output, HasSubstr(told));
+    EXPECT_EQ(exists("sheet.png"), *there != 0);
+    EXPECT_FALSE(exists("morph.webp"));
+    for (const auto& file : std::filesystem::directory_iterator(path(""))) {
+      EXPECT_NE(file.path().filename().string().front(), '.') << file;
+    }
+    std::filesystem::remove(path("sheet.png"));
+  }
+}
+
+TEST_F(Figures, AFullDiskUnderOneFileKeepsNoOtherFromIt) {
+  std::filesystem::create_directories(path("small"));
+  if (mount("none", path("small").c_str(), "tmpfs", 0, "size=4k") != 0) {
+    GTEST_SKIP() << "only root can mount a small disk";
+  }
   const ProcessResult run =
-      figures("egg_chair", {"--animation", path("morph.webp"), "--frame-count", "1000"}, {}, 1.5);
-  EXPECT_EQ(run.exitCode, 130) << run.output;
+      figures("egg_chair",
+              {"--set", "grid.nodes_long=6", "--animation", path("small/morph.webp"), "--frames",
+               path("small/frames"), "--gltf", path("morph.glb"), "--frame-count", "3"});
+  umount(path("small").c_str());
+  EXPECT_EQ(run.exitCode, 5) << run.output;
+  EXPECT_THAT(run.output, HasSubstr("2 files could not be written:"));
+  EXPECT_THAT(run.output, HasSubstr("small/morph.webp: cannot be written"));
+  EXPECT_THAT(run.output, HasSubstr("small/frames/frame_0000.png: cannot be written"));
   EXPECT_TRUE(exists("sheet.png"));
-  EXPECT_FALSE(exists("morph.webp"));
+  EXPECT_TRUE(exists("morph.glb"));
+}
+
+TEST_F(Figures, NamesAllFilesThatItWrote) {
+  const ProcessResult run = runMorphgrid(
+      {"figures", sourceFolder() / "scenes/egg_chair.toml", "--out", path("sheet.png"), "--set",
+       "grid.nodes_long=6", "--set", "output.width=160", "--set", "output.height=120", "--frames",
+       path("frames"), "--gltf", path("morph.glb"), "--frame-count", "3"});
+  EXPECT_EQ(run.exitCode, 0) << run.output;
+  EXPECT_THAT(run.output, HasSubstr("the morph in " + path("morph.glb")));
+  EXPECT_THAT(run.output, HasSubstr("3 frames in " + path("frames")));
 }
 
 TEST_F(Figures, LostDeviceLeavesTheSheet) {

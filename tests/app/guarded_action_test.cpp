@@ -14,7 +14,7 @@
 
 #include "app/command_end.h"
 #include "core/cancellation.h"
-#include "core/error.h"
+#include "core/output_error.h"
 #include "core/read_file.h"
 #include "tests/support/temporary_folder.h"
 
@@ -47,6 +47,9 @@ TEST(GuardedAction, TellsOfInputDevicesAndInterruption) {
   EXPECT_EQ(device.code, kDeviceFailure);
   EXPECT_EQ(device.output, "device failure: gone\n");
   EXPECT_EQ(endOf(Cancelled()).code, kInterrupted);
+  const End output = endOf(OutputError("a.glb: cannot be written"));
+  EXPECT_EQ(output.code, kOutputLost);
+  EXPECT_EQ(output.output, "a.glb: cannot be written\n");
   const End folder = endOf(std::filesystem::filesystem_error(
       "cannot get it", std::make_error_code(std::errc::no_such_file_or_directory)));
   EXPECT_EQ(folder.code, kBadInput);
@@ -86,7 +89,8 @@ TEST(GuardedAction, LosesNoOutputUntold) {
     EXPECT_EQ(endOfPrinting("/dev/null", kConverged, print), kConverged);
     EXPECT_EQ(endOfPrinting("/dev/full", kConverged, print), kOutputLost);
   }
-  EXPECT_EQ(endOfPrinting("/dev/full", kNotConverged, line), kNotConverged);
+  EXPECT_EQ(endOfPrinting("/dev/full", kNotConverged, line), kOutputLost);
+  EXPECT_EQ(endOfPrinting("/dev/full", kDeviceFailure, line), kDeviceFailure);
 }
 
 TEST(GuardedAction, ClosedStreamsAreNotTakenForFiles) {

@@ -140,9 +140,11 @@ TEST_F(PrintCommand, CtrlCStopsPrintsWithErrors) {
 
 TEST_F(PrintCommand, AFolderThatCannotBeWrittenStaysAsItWas) {
   std::filesystem::create_directories(path("out/tier_2.gcode"));
+  std::filesystem::create_directories(path("out/assembly.html"));
   const ProcessResult result = print("dome.toml", {"--out", path("out")});
-  EXPECT_EQ(result.exitCode, 2) << result.output;
+  EXPECT_EQ(result.exitCode, 5) << result.output;
   EXPECT_THAT(result.output, HasSubstr("tier_2.gcode: cannot be written"));
+  EXPECT_THAT(result.output, HasSubstr("assembly.html: cannot be written"));
   EXPECT_FALSE(std::filesystem::exists(path("out/tier_1.gcode")));
   EXPECT_FALSE(std::filesystem::exists(path("out/print.json")));
 }

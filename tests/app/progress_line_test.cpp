@@ -36,5 +36,13 @@ TEST(EstimateSecondsLeft, IsUnknownWhereNothingFalls) {
   EXPECT_LT(estimateSecondsLeft({{1, 1.0, 0.5, 1}, {2, 1.0, 0.5, 2}}, 1e-9), 0);
 }
 
+TEST(EstimateSecondsLeft, IsUnknownFarBeyondWhatWasSeen) {
+  std::vector<ConvergenceSample> samples;
+  // A residual that hardly falls just now says nothing of the next hour.
+  for (int n = 1; n <= 20; ++n) samples.push_back({n, 1.0, std::pow(0.99, n), double(n)});
+  EXPECT_LT(estimateSecondsLeft(samples, 1e-9), 0);
+  EXPECT_NEAR(estimateSecondsLeft(samples, 0.8), 2.2, 0.1);
+}
+
 }  // namespace
 }  // namespace morphgrid

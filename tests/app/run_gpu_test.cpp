@@ -1,5 +1,7 @@
 // The program as a user runs it, under the validation layers.
 #include <gmock/gmock.h>
+#include <signal.h>
+#include <sys/mount.h>
 
 #include <cmath>
 #include <filesystem>
@@ -113,14 +115,100 @@ TEST_F(Run, ThinGridsSagAlikeByBothMethodsAndThickOnesHold) {
   EXPECT_GT(thin["weight"]["sag"], 3 * thick["weight"]["sag"].get<double>());
 }
 
-TEST_F(Run, KeepsItsReportWhenAnotherFileCannotBeWritten) {
-  folder_.write("result/warped.glb/in_the_way", "");
-  const ProcessResult run =
-      runMorphgrid({"run", sceneFile("egg_chair"), "--out", out(), "--validate", "--set",
-                    "grid.nodes_long=8", "--set", "output.pictures=false"});
-  EXPECT_EQ(run.exitCode, 2) << run.output;
-  EXPECT_THAT(run.output, HasSubstr("warped.glb"));
+TEST_F(Run, WritesAllThatItCanAndTellsTheRest) {
+  folder_.write("result/stacked.png/in_the_way", "");
+  folder_.write("result/warped.vtu/in_the_way", "");
+  std::filesystem::create_directories(out() + "/convergence.csv");
+  const ProcessResult run = runMorphgrid({"run", sceneFile("egg_chair"), "--out", out(),
+                                          "--validate", "--set", "grid.nodes_long=8", "--set",
+                                          "output.width=160", "--set", "output.height=120"});
+  EXPECT_EQ(run.exitCode, 5) << run.output;
+  EXPECT_THAT(run.output, HasSubstr("3 files could not be written:"));
+  for (const char* lost : {"stacked.png", "warped.vtu", "convergence.csv"}) {
+    EXPECT_THAT(run.output, HasSubstr(std::string(lost) + ": cannot be written"));
+    EXPECT_TRUE(std::filesystem::is_directory(out() + "/" + lost)) << "theirs";
+  }
+  EXPECT_THAT(run.output, HasSubstr("distance, RMS / max")) << "the table is told all the same";
   EXPECT_EQ(report()["full"]["converged"], true);
+  for (const char* file : {"state.safetensors", "warped.glb", "surface.obj", "initial.png",
+                           "shrink.png", "target.png"}) {
+    EXPECT_TRUE(exists(file)) << file;
+  }
+}
+
+/// Disks of so many kilobytes: the report comes first, then the rest as far as it goes.
+TEST_F(Run, AFullDiskLosesNothingThatFits) {
+  for (const char* size : {"size=16k", "size=128k", "size=512k"}) {
+    std::filesystem::create_directories(out());
+    if (mount("none", out().c_str(), "tmpfs", 0, size) != 0) {
+      GTEST_SKIP() << "only root can mount a small disk";
+    }
+    const ProcessResult run =
+        runMorphgrid({"run", sceneFile("egg_chair"), "--out", out(), "--set", "grid.nodes_long=14",
+                      "--set", "output.width=640", "--set", "output.height=480"});
+    EXPECT_EQ(run.exitCode, 5) << run.output;
+    EXPECT_THAT(run.output, ContainsRegex("files could not be written:"));
+    EXPECT_EQ(report()["full"]["converged"], true) << size;
+    for (const auto& file : std::filesystem::directory_iterator(out())) {
+      EXPECT_NE(file.path().filename().string().front(), '.') << "a half file stays: " << file;
+    }
+    umount(out().c_str());
+  }
+}
+
+TEST_F(Run, LeavesNoFilesOfTheRunBefore) {
+  for (const char* old : {"optimise.csv", "warped.png", "surface.ply", "state.safetensors"}) {
+    folder_.write(std::string("result/") + old, "of another design");
+  }
+  folder_.write("result/notes.txt", "theirs");
+  folder_.write("result/.warped.4194305.png", "of a run that was killed");  // No process has it.
+  const ProcessResult run =
+      runMorphgrid({"run", sceneFile("egg_chair"), "--out", out(), "--quiet", "--set",
+                    "grid.nodes_long=6", "--set", "output.pictures=false", "--set",
+                    "output.ply=false", "--set", "output.state=false"});
+  EXPECT_EQ(run.exitCode, 0) << run.output;
+  EXPECT_FALSE(exists("optimise.csv"));
+  EXPECT_FALSE(exists("warped.png"));
+  EXPECT_FALSE(exists("surface.ply"));
+  EXPECT_FALSE(exists("state.safetensors"));
+  EXPECT_FALSE(exists(".warped.4194305.png"));
+  EXPECT_TRUE(exists("notes.txt"));
+}
+
+/// Pictures that take long are dropped; what the report needs is there.
+TEST_F(Run, InterruptedWhileItDrawsEndsAtOnce) {
+  const ProcessResult run = runMorphgridUntil(
+      [&](const std::string&) { return exists("state.safetensors"); },
+      {"run", sceneFile("egg_chair"), "--out", out(), "--set", "grid.nodes_long=6", "--set",
+       "output.width=8192", "--set", "output.height=8192"},
+      SIGTERM);
+  EXPECT_EQ(run.exitCode, 130) << run.output;
+  EXPECT_THAT(run.output, HasSubstr("interrupted"));
+  EXPECT_EQ(report()["full"]["converged"], true);
+  EXPECT_FALSE(exists("target.png"));
+  for (const auto& file : std::filesystem::directory_iterator(out())) {
+    EXPECT_NE(file.path().filename().string().front(), '.') << file;
+  }
+}
+
+/// What does not fit is told before it is measured, which would take minutes.
+TEST_F(Run, MemoryIsLookedAtBeforeTheSurface) {
+  for (const std::vector<std::string>& sizes :
+       {std::vector<std::string>{"strip", "grid.nodes_u=80000000", "grid.nodes_v=1"},
+        {"patch", "grid.nodes_long=200000", "grid.layers=2"}}) {
+    const ProcessResult run = runMorphgrid(
+        {"run", sceneFile(sizes[0]), "--out", out(), "--set", sizes[1], "--set", sizes[2]});
+    EXPECT_EQ(run.exitCode, 2) << run.output;
+    EXPECT_THAT(run.output, HasSubstr("would fit: set"));
+  }
+}
+
+TEST_F(Run, ExplainsTheRowsOfItsTable) {
+  const std::vector<std::string> arguments{"check", sceneFile("egg_chair"), "--explain"};
+  const ProcessResult explained = runMorphgrid(arguments);
+  EXPECT_EQ(explained.exitCode, 0);
+  EXPECT_THAT(explained.output, HasSubstr("L_b is a strut's rest length"));
+  EXPECT_THAT(explained.output, testing::Not(HasSubstr("inverse design:")));
 }
 
 TEST_F(Run, InterruptedWhileItDesignsEndsAndWritesNothing) {
@@ -251,6 +339,8 @@ TEST_P(RunInterrupted, StopsCleanlyAndWritesItsResults) {
                     "output.width=320", "--set", "output.height=240"},
                    {}, 2);
   EXPECT_EQ(run.exitCode, 130) << run.output;
+  EXPECT_THAT(run.output, HasSubstr("interrupted: writing what there is"));
+  EXPECT_THAT(run.output, HasSubstr("morphgrid figures " + out()));
   const auto json = report();
   EXPECT_TRUE(json["in_plane"]["reason"] == "interrupted" ||
               json["full"]["reason"] == "interrupted");
@@ -319,6 +409,10 @@ TEST_F(Run, UnwritableFolderIsBadInput) {
       runMorphgrid({"run", sceneFile("egg_chair"), "--out", "/proc/morphgrid"});
   EXPECT_EQ(run.exitCode, 2);
   EXPECT_THAT(run.output, HasSubstr("/proc/morphgrid"));
+  const ProcessResult readOnly =
+      runMorphgrid({"run", sceneFile("egg_chair"), "--out", "/proc/self"});
+  EXPECT_EQ(readOnly.exitCode, 2) << "before anything is solved";
+  EXPECT_THAT(readOnly.output, HasSubstr("--out /proc/self: no file can be written there"));
 }
 
 TEST_F(Run, NoDeviceSaysHowToGetOne) {

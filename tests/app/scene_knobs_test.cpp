@@ -69,6 +69,20 @@ TEST(SceneKnobs, OfBarsAreTheSizesThatTheSceneSays) {
   EXPECT_THAT(knobs, Not(Contains(withKey("material.bar_height"))));
 }
 
+TEST(SceneKnobs, AskForTheTrueShapeAndForItsParts) {
+  const SceneFiles files(kBezierScene);
+  const auto knobs = knobsOf(files.load({"true_shape=true", "design.optimise=3"}));
+  for (const char* key : {"true_shape", "design.enforce_shrinkage"}) {
+    const Knob knob = knobOf(knobs, key);
+    EXPECT_TRUE(knob.isBoolean) << key;
+    EXPECT_EQ(knob.value, 1) << key;
+    EXPECT_EQ(turned(knob, "false").value, 0) << key;
+    EXPECT_EQ(turned(turned(knob, "false"), "true").value, 1) << key;
+    EXPECT_EQ(files.problems({std::string(key) + "=false"}), "");
+  }
+  EXPECT_EQ(knobOf(knobs, "design.optimise").value, 3);
+}
+
 TEST(SceneKnobs, EveryChoiceIsAValueOfTheSceneFile) {
   const SceneFiles files(kBezierScene);
   for (const Knob& knob : knobsOf(files.load())) {

@@ -3,7 +3,7 @@
 
 #include <functional>
 
-#include "core/error.h"
+#include "core/output_error.h"
 #include "export/gltf.h"
 #include "export/surface_files.h"
 #include "export/vtu.h"
@@ -40,7 +40,7 @@ class FailedWrite : public testing::TestWithParam<Format> {
     std::string message;
     try {
       GetParam().write(path, sample);
-    } catch (const InputError& error) {
+    } catch (const OutputError& error) {
       message = error.what();
     }
     EXPECT_THAT(message, testing::StartsWith(path.string() + ": cannot be written"));

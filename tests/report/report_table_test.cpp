@@ -31,6 +31,22 @@ TEST(ReportTable, SendsNoControlCharactersToATerminal) {
   EXPECT_THAT(toTable(record), HasSubstr("m\\x07"));
 }
 
+TEST(ReportTable, HasDigitsEnoughForTrueShapes) {
+  RunRecord record = sampleRecord();
+  record.distance->rmsPercent = 0.00216;
+  record.distance->maxPercent = 4.418;
+  EXPECT_THAT(toTable(record), HasSubstr("0.0022 / 4.42 %"));
+}
+
+TEST(ReportTable, CallsTheStageAfterInverseDesignItsEnd) {
+  RunRecord record = sampleRecord();
+  EXPECT_THAT(toTable(record), HasSubstr("\n  full: "));
+  const InverseStep step{InverseStep::Kind::design, 0, 4, 5, 6, 2.5, 7, 8, 9, 0.5};
+  record.inverse = InverseDesign{{}, {}, {step}, "all steps done", {}};
+  EXPECT_THAT(toTable(record), testing::Not(HasSubstr("\n  full: ")));
+  EXPECT_THAT(toTable(record), testing::ContainsRegex("inverse design: .*\n  its end: "));
+}
+
 TEST(ReportTable, GivesTheCheckFromFlatARowOfItsOwn) {
   RunRecord record = sampleRecord();
   const InverseStep step{InverseStep::Kind::design, 0, 4, 5, 6, 2.5, 7, 8, 9, 0.5};

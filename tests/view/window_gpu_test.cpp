@@ -281,6 +281,16 @@ TEST_F(ViewerWindow, WithoutADisplaySaysWhatToDo) {
   EXPECT_THAT(viewer.output(), HasSubstr("`morphgrid run`"));
 }
 
+TEST_F(ViewerWindow, AMissingDriverIsNotTakenForAMissingDisplay) {
+  const std::filesystem::path scene = desktop_.folder().write("dome.toml", kDomeScene);
+  BackgroundProgram viewer({binaryFolder() / "morphgrid", "view", scene},
+                           {"DISPLAY=" + desktop_.display(), "VK_ICD_FILENAMES=/nonexistent"},
+                           desktop_.folder() / "viewer.log");
+  EXPECT_EQ(viewer.exitCode(), 4);
+  EXPECT_THAT(viewer.output(), HasSubstr("apt-get install mesa-vulkan-drivers"));
+  EXPECT_THAT(viewer.output(), testing::Not(HasSubstr("DISPLAY")));
+}
+
 TEST(WindowInput, KeysStayUntilTheyAreHandled) {
   const Desktop desktop;
   ASSERT_EQ(setenv("DISPLAY", desktop.display().c_str(), 1), 0);

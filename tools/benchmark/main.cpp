@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "benchmark/disturbed_runs.h"
 #include "benchmark/fidelity.h"
 #include "benchmark/frame_benchmark.h"
 #include "benchmark/inputs.h"
@@ -43,6 +44,7 @@ int runBenchmark(std::vector<std::string> arguments) {
   addSweepBenchmark(app);
   addRayBenchmark(app);
   addRobustnessTable(app);
+  addDisturbedRuns(app);
   addFidelityTable(app);
   addValidation(app);
   addInputsTable(app);

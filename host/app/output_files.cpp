@@ -1,0 +1,41 @@
+#include "app/output_files.h"
+
+#include <fmt/format.h>
+
+#include <new>
+
+#include "core/output_error.h"
+
+namespace morphgrid {
+
+OutputFiles::OutputFiles(std::filesystem::path folder, bool quiet)
+    : folder_(std::move(folder)), quiet_(quiet), line_("files", 0) {}
+
+void OutputFiles::write(const std::string& name,
+                        const std::function<void(const std::filesystem::path&)>& write) {
+  writeAt(folder_ / name, write);
+}
+
+void OutputFiles::writeAt(const std::filesystem::path& file,
+                          const std::function<void(const std::filesystem::path&)>& write) {
+  tell(file);
+  try {
+    write(file);
+    written_.push_back(file);
+  } catch (const OutputError& error) {
+    lost_.emplace_back(error.what());
+  } catch (const std::filesystem::filesystem_error& error) {
+    lost_.push_back(fmt::format("{}: {}", file.string(), error.what()));
+  } catch (const std::bad_alloc&) {
+    lost_.push_back(fmt::format("{}: cannot be written: out of memory", file.string()));
+  }
+}
+
+void OutputFiles::tell(const std::filesystem::path& file) {
+  if (quiet_) return;
+  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start_;
+  line_.tell(fmt::format("{} written, now {}", written_.size(), file.filename().string()),
+             seconds.count(), -1);
+}
+
+}  // namespace morphgrid
