@@ -4,7 +4,7 @@
 
 #include <algorithm>
 #include <chrono>
-#include <numeric>
+#include <cmath>
 
 #include "app/disturbed_rest.h"
 #include "app/progress_line.h"
@@ -18,6 +18,8 @@ namespace {
 using Eigen::VectorXd;
 
 constexpr int kLevers = 3;
+/// Movements are told within 14 %: enough to see which are largest.
+constexpr int kMovementRows = 24;
 
 class ToleranceStudy {
  public:
@@ -87,7 +89,7 @@ class ToleranceStudy {
       addKind(result, "length of posts", [&] { return rest_.withPosts(draw()); });
     }
     if (hasErrors(plan_.material)) {
-      addKind(result, "as the material's errors",
+      addKind(result, "material's errors",
               [&] { return rest_.withMaterial(drawnMaterial(plan_.material, generator_)); });
     }
   }
@@ -101,54 +103,79 @@ class ToleranceStudy {
     return factors;
   }
 
+  /// What linearised positions say of rest lengths that change so.
+  struct Forecast {
+    double movement;
+    std::optional<double> slope;
+    double largest;  ///< Change of the distance, when they change so or the other way.
+  };
+  Forecast forecast(double squaredMovement, std::optional<double> slope) const {
+    const double distance = trials_.error().rmsPercent;
+    const double side = 2 * distance * std::abs(slope.value_or(0));
+    const auto changeBy = [&](double square) {
+      return std::abs(std::sqrt(std::max(0.0, distance * distance + square)) - distance);
+    };
+    return {std::sqrt(squaredMovement), slope,
+            std::max(changeBy(squaredMovement + side), changeBy(squaredMovement - side))};
+  }
+
+  /// Those that matter most: n in [0, count).
+  template <typename ForecastOf, typename Add>
+  static void addLargest(int count, const ForecastOf& forecastOf, const Add& add) {
+    std::vector<std::pair<Forecast, int>> all;
+    for (int n = 0; n < count; ++n) all.emplace_back(forecastOf(n), n);
+    const auto middle = all.begin() + std::min(kLevers, count);
+    std::partial_sort(all.begin(), middle, all.end(), [](const auto& a, const auto& b) {
+      return a.first.largest > b.first.largest;
+    });
+    for (auto n = all.begin(); n != middle; ++n) add(n->first, n->second);
+  }
+
   /// The same struts shrink more, then less, by the share.
   template <typename IsOff>
-  ToleranceLever solveLever(std::string what, double firstOrder, const IsOff& isOff) {
+  ToleranceLever solveLever(std::string what, const Forecast& forecast, const IsOff& isOff) {
     const auto changeWith = [&](double factor) {
       const DisturbedPrint result = print(rest_.withShrinks(
           factorsOf([&](const Strut& strut) { return isOff(strut) ? factor : 1.0; })));
       return result.rmsPercent - trials_.error().rmsPercent;
     };
     const double more = changeWith(1 + request_.share);
-    return {std::move(what), firstOrder, more, changeWith(1 - request_.share)};
+    return {std::move(what), forecast.movement, forecast.slope, more,
+            changeWith(1 - request_.share)};
   }
 
   void findLevers(PrintTolerance& result) {
     const std::optional<VectorXd> slope = trials_.slope();
-    if (!slope) return;
-    // Of the distance, when one strut loses that much more.
-    const VectorXd changes = -request_.share * slope->cwiseProduct(rest_.losses());
-    findTiers(result, changes);
-    std::vector<Eigen::Index> order(changes.size());
-    std::iota(order.begin(), order.end(), 0);
-    const auto middle = order.begin() + std::min<Eigen::Index>(kLevers, changes.size());
-    std::partial_sort(order.begin(), middle, order.end(), [&](Eigen::Index a, Eigen::Index b) {
-      return std::abs(changes[a]) > std::abs(changes[b]);
-    });
-    for (auto n = order.begin(); n != middle; ++n) {
-      const Strut& strut = rest_.struts()[*n].strut;
-      result.struts.push_back(
-          solveLever(nameOf(plan_.shape, strut), changes[*n], [&](const Strut& other) {
-            return other.from == strut.from && other.direction == strut.direction;
-          }));
-    }
-  }
-
-  void findTiers(PrintTolerance& result, const VectorXd& changes) {
-    std::vector<std::pair<double, int>> tiers;
-    for (int tier = 0; tier < plan_.shape.layers; ++tier) tiers.emplace_back(0, tier);
-    for (Eigen::Index n = 0; n < changes.size(); ++n) {
-      tiers[rest_.struts()[n].strut.layer].first += changes[n];
-    }
-    std::stable_sort(tiers.begin(), tiers.end(), [](const auto& a, const auto& b) {
-      return std::abs(a.first) > std::abs(b.first);
-    });
-    tiers.resize(std::min<std::size_t>(kLevers, tiers.size()));
-    for (const auto& [change, tier] : tiers) {
-      result.tiers.push_back(
-          solveLever(fmt::format("tier {}", tier + 1), change,
-                     [tier = tier](const Strut& strut) { return strut.layer == tier; }));
-    }
+    const Eigen::MatrixXd movements = trials_.movements(kMovementRows, request_.seed);
+    if (scene_.solve.stopRequested()) throw Cancelled();
+    // Of rest lengths, when each strut loses that much more.
+    const VectorXd changes = -request_.share * rest_.losses();
+    addLargest(
+        plan_.shape.layers,
+        [&](int tier) {
+          const VectorXd change = changes.cwiseProduct(
+              factorsOf([&](const Strut& strut) { return strut.layer == tier ? 1.0 : 0.0; }));
+          return forecast((movements * change).squaredNorm(),
+                          slope ? std::optional(slope->dot(change)) : std::nullopt);
+        },
+        [&](const Forecast& forecast, int tier) {
+          result.tiers.push_back(
+              solveLever(fmt::format("tier {}", tier + 1), forecast,
+                         [&](const Strut& strut) { return strut.layer == tier; }));
+        });
+    addLargest(
+        static_cast<int>(changes.size()),
+        [&](int n) {
+          return forecast(changes[n] * changes[n] * movements.col(n).squaredNorm(),
+                          slope ? std::optional((*slope)[n] * changes[n]) : std::nullopt);
+        },
+        [&](const Forecast& forecast, int n) {
+          const Strut& off = rest_.struts()[n].strut;
+          result.struts.push_back(
+              solveLever(nameOf(plan_.shape, off), forecast, [&](const Strut& strut) {
+                return strut.from == off.from && strut.direction == off.direction;
+              }));
+        });
   }
 
   const Scene& scene_;

@@ -1,4 +1,5 @@
 #pragma once
+#include <cstdint>
 #include <optional>
 
 #include "inverse/lateral_rest.h"
@@ -30,13 +31,20 @@ class PrintTrials {
   PrintTrial tryWith(const StrutValues& rest);
 
   /// d RMS distance / d lateral rest length, in percent over the scene's unit, in the order of
-  /// LateralRest: exact to first order. Nothing where the distance is zero, which has no slope, or
-  /// the adjoint does not converge.
+  /// LateralRest: exact to first order. Nothing where the distance is about zero, which has no
+  /// slope, or the adjoint does not converge.
   std::optional<Eigen::VectorXd> slope();
+
+  /// How far changes of lateral rest lengths move the middle layer, to first order: the matrix G
+  /// for which |G change|^2 is, in the mean over seeds, the square of the movement (RMS, percent of
+  /// the diagonal, rigid motions left out). A row is the adjoint gradient of a random projection of
+  /// that movement; so many rows give it within 1 / sqrt(2 rows).
+  Eigen::MatrixXd movements(int rows, std::uint64_t seed);
 
  private:
   void place(const StrutValues& rest);
   bool comesBack(const Eigen::Matrix3Xd& middle);
+  Eigen::MatrixXd rigidMotions() const;
 
   MultigridSolver& solver_;
   const Eigen::Matrix3Xd& goal_;

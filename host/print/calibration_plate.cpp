@@ -23,9 +23,9 @@ constexpr double kRowStep = 10;
 constexpr double kCurlStep = 0.005;
 /// Tubes as printed, about.
 constexpr double kTubes[] = {0, 3, 6};
-constexpr double kNumberSize = 2.0;  // Width of a digit.
-constexpr double kNumberRoom = 9;    // From the first hub's middle to the far side of the number.
-constexpr double kNumberGap = 0.5;   // From the hub to where the number's line begins.
+constexpr double kNumberSize = 2.0;   // Width of a digit.
+constexpr double kNumberRoom = 10.5;  // From the first hub's middle to the far side of the number.
+constexpr double kNumberGap = 1;      // From the hub to the digits, at least.
 
 /// The six chains of one set: both pitches, laid along, across, half and half.
 void addChains(std::vector<Specimen>& specimens, double heightStep) {

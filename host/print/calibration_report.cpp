@@ -1,6 +1,6 @@
 #include <fmt/format.h>
 
-#include <Eigen/Core>
+#include <cmath>
 
 #include "print/calibration_fit.h"
 
@@ -10,8 +10,11 @@ namespace {
 constexpr const char* kCalibrated = ", calibrated";
 
 std::string inPercent(const FittedValue& value) {
-  return fmt::format("{:.2f} +- {:.2f} %", 100 * value.value, 100 * value.error);
+  return fmt::format("{:+.2f} +- {:.2f} %", 100 * value.value, 100 * value.error);
 }
+
+/// More decimals than a bath will ever show make a file hard to read.
+double inFile(double share) { return std::round(share * 1e6) / 1e6; }
 
 std::string caveatOf(const CalibrationFit& fit) {
   std::string text =
@@ -39,20 +42,20 @@ PrintMaterial fittedMaterial(const PrintMaterial& material, const CalibrationFit
   fitted.source = fmt::format("a fit of own measurements, {}, printed with {}", table, printer);
   fitted.year = year;
   fitted.caveat = caveatOf(fit);
-  fitted.along.change = fit.along.value;
-  fitted.along.error = fit.along.error;
-  fitted.across.change = fit.across.value;
-  fitted.across.error = fit.across.error;
-  fitted.hub.change = fit.hub.value;
-  fitted.hub.error = fit.hub.error;
-  if (fit.alongHeight) fitted.along.heightChange = fit.alongHeight->value;
-  if (fit.acrossHeight) fitted.across.heightChange = fit.acrossHeight->value;
+  fitted.along.change = inFile(fit.along.value);
+  fitted.along.error = inFile(fit.along.error);
+  fitted.across.change = inFile(fit.across.value);
+  fitted.across.error = inFile(fit.across.error);
+  fitted.hub.change = inFile(fit.hub.value);
+  fitted.hub.error = inFile(fit.hub.error);
+  if (fit.alongHeight) fitted.along.heightChange = inFile(fit.alongHeight->value);
+  if (fit.acrossHeight) fitted.across.heightChange = inFile(fit.acrossHeight->value);
   fitted.hub.isMeasured = fit.hubHeight.has_value();
   fitted.tube.isMeasured = fit.tube.has_value();
-  if (fit.hubHeight) fitted.hub.heightChange = fit.hubHeight->value;
+  if (fit.hubHeight) fitted.hub.heightChange = inFile(fit.hubHeight->value);
   if (fit.tube) {
-    fitted.tube.change = fit.tube->value;
-    fitted.tube.error = fit.tube->error;
+    fitted.tube.change = inFile(fit.tube->value);
+    fitted.tube.error = inFile(fit.tube->error);
   }
   if (fit.flattestStep) fitted.strut.heightStep = *fit.flattestStep;
   return fitted;
@@ -75,7 +78,7 @@ std::string calibrationTable(const PrintMaterial& before, const CalibrationFit& 
                         inPercent(*fit.mixing), fit.mixes() ? "they add up" : "they do not add up");
   }
   if (fit.flattestStep) {
-    text += fmt::format("  {:<26}{:g} mm, before {:g} mm\n", "height_step of the flattest",
+    text += fmt::format("  {:<26}{:g} mm, before {:g} mm\n", "height_step, flattest",
                         *fit.flattestStep, before.strut.heightStep);
   }
   return text;

@@ -34,8 +34,10 @@ std::string describe(const DisturbedPrints& kind) {
 }
 
 std::string describe(const ToleranceLever& lever) {
-  return fmt::format("{:+.2g} to first order; {:+.2g} / {:+.2g} solved", lever.firstOrder,
-                     lever.more, lever.less);
+  const std::string slope =
+      lever.firstOrder ? fmt::format(", {:+.2g} to first order", *lever.firstOrder) : "";
+  return fmt::format("{:+.2g} / {:+.2g} %{}; moves {:.2g} %", lever.more, lever.less, slope,
+                     lever.movement);
 }
 
 std::string whatJudged(const PrintTolerance& tolerance) {

@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -39,12 +40,14 @@ DisturbedFigures figuresOf(const std::vector<DisturbedPrint>& prints);
 /// The quantile of at least one value, between values linearly. quantile: in [0, 1].
 double quantileOf(std::vector<double> values, double quantile);
 
-/// By how much the distance (RMS) changes when a strut's, or a tier's, shrinks are off by the
-/// share: percent of the diagonal.
+/// What happens when a strut's, or a tier's, shrinks are off by the share: percent of the diagonal.
 struct ToleranceLever {
   std::string what;
-  double firstOrder;  ///< When it shrinks that much more, by the adjoint gradient.
-  double more, less;  ///< The same and its opposite, solved.
+  double movement;  ///< Of the middle layer, RMS, to first order, about.
+  /// Change of the distance (RMS) when it shrinks that much more, to first order; nothing where the
+  /// distance is about zero.
+  std::optional<double> firstOrder;
+  double more, less;  ///< The change when it shrinks that much more, and less, solved.
 };
 
 /// How far prints with errors are from the target, or from the design's end.

@@ -30,10 +30,13 @@ nlohmann::ordered_json oneJson(const DisturbedPrint& print) {
 nlohmann::ordered_json leversJson(const std::vector<ToleranceLever>& levers) {
   auto json = nlohmann::ordered_json::array();
   for (const ToleranceLever& lever : levers) {
-    json.push_back({{"what", lever.what},
-                    {"first_order_percent", lever.firstOrder},
-                    {"more_shrink_percent", lever.more},
-                    {"less_shrink_percent", lever.less}});
+    json.push_back(
+        {{"what", lever.what},
+         {"movement_percent", lever.movement},
+         {"first_order_percent", lever.firstOrder ? nlohmann::ordered_json(*lever.firstOrder)
+                                                  : nlohmann::ordered_json(nullptr)},
+         {"more_shrink_percent", lever.more},
+         {"less_shrink_percent", lever.less}});
   }
   return json;
 }

@@ -73,17 +73,35 @@ TEST_F(PrintTrialsTest, SlopeIsThatOfResolvedFrames) {
       [](const StrutGrid& grid) { return solveFrame(grid, {.tolerance = 1e-12}); });
 }
 
-TEST_F(PrintTrialsTest, SlopeOfNoDistanceIsNone) {
-  const StrutGrid grid = bentGrid({5, 4, 3}, 5);
+TEST_F(PrintTrialsTest, MovementsAreThoseOfResolvedGrids) {
+  const StrutGrid grid = bentGrid({6, 5, 3}, 5);
+  const Equilibrium equilibrium = solveReference(grid, {.tolerance = 1e-12});
+  const Matrix3Xd goal = middleLayer(grid.shape, equilibrium.positions);
   MultigridSolver solver(device_, grid);
-  const Equilibrium equilibrium = solver.solve({});
-  Matrix3Xd goal = middleLayer(grid.shape, equilibrium.positions);
-  MultigridSolver other(device_, grid);
-  PrintTrials trials(other, equilibrium, goal, {});
-  goal = middleLayer(grid.shape, trials.equilibrium().positions);
-  PrintTrials there(other, trials.equilibrium(), goal, {});
-  if (there.error().objective == 0) EXPECT_FALSE(there.slope());
-  EXPECT_LT(there.error().rmsPercent, 1e-3);
+  PrintTrials trials(solver, equilibrium, goal, {});
+  EXPECT_FALSE(trials.slope());  // The distance is zero.
+  const LateralRest lateral(grid.shape);
+  const Eigen::MatrixXd movements = trials.movements(400, 3);
+  ASSERT_EQ(movements.rows(), 400);
+  const VectorXd rest = lateral.of(grid);
+  constexpr double kStep = 1e-3;
+  const auto movementBy = [&](const VectorXd& change) {
+    StrutGrid changed = grid;
+    changed.rest = lateral.replacedIn(grid, rest + kStep * change);
+    const Equilibrium moved = solveReference(changed, {.tolerance = 1e-12});
+    return computeShapeError(grid.shape, moved.positions, goal).rmsPercent / kStep;
+  };
+  for (Eigen::Index n = 0; n < lateral.size(); n += 17) {
+    const VectorXd change = VectorXd::Unit(lateral.size(), n);
+    const double movement = movementBy(change);
+    EXPECT_NEAR((movements * change).norm(), movement, 0.15 * movement) << n;
+  }
+  const VectorXd tier =
+      VectorXd::Ones(lateral.size())
+          .cwiseProduct(
+              (VectorXd::LinSpaced(lateral.size(), 0, 1).array() < 0.34).cast<double>().matrix());
+  const double movement = movementBy(tier);
+  EXPECT_NEAR((movements * tier).norm(), movement, 0.15 * movement);
 }
 
 /// A sheet whose middle is too wide for its rim: it stands up or down.

@@ -126,12 +126,12 @@ TEST(CalibrationFit, MakesAMaterialThatPrints) {
   const PrintMaterial read =
       readPrintMaterial(folder.write("fitted.toml", printMaterialText(fitted)));
   EXPECT_EQ(printMaterialText(read), printMaterialText(fitted));
-  EXPECT_EQ(read.along.change, fit.along.value);
+  EXPECT_NEAR(read.along.change, fit.along.value, 1e-6);
   EXPECT_EQ(read.source, fitted.source);
   EXPECT_EQ(read.strut.heightStep, 0.005);
   EXPECT_TRUE(read.hub.isMeasured);
   EXPECT_TRUE(read.tube.isMeasured);
-  EXPECT_EQ(read.tube.error, fit.tube->error);
+  EXPECT_NEAR(read.tube.error, fit.tube->error, 1e-6);
   EXPECT_THAT(read.caveat, HasSubstr("along -41.00 +- 0.00 %"));
   EXPECT_EQ(read.bedTemperature, sampleMaterial().bedTemperature);
   EXPECT_EQ(fittedMaterial(read, fit, "again.csv", "a printer", 2027).name, read.name);

@@ -27,12 +27,12 @@ TEST(PrintTolerance, JumpsAreCountedAndTold) {
                                  .model = "frame",
                                  .hasTarget = true,
                                  .kinds = {kind},
-                                 .struts = {{"strut u 0 1 of tier 2", 0.012, 0.013, -0.011}},
+                                 .struts = {{"strut u 0 1 of tier 2", 0.05, 0.012, 0.013, -0.011}},
                                  .tiers = {}};
   const std::string table = toleranceTable(tolerance);
   EXPECT_THAT(table, HasSubstr("distance to the target, % RMS / most, by the model frame"));
   EXPECT_THAT(table, HasSubstr("2 / 2.9 / 4 %, 1 in another equilibrium, 1 not at rest"));
-  EXPECT_THAT(table, HasSubstr("+0.012 to first order; +0.013 / -0.011 solved"));
+  EXPECT_THAT(table, HasSubstr("+0.013 / -0.011 %, +0.012 to first order; moves 0.05 %"));
   ASSERT_EQ(toleranceNotices(tolerance).size(), 1u);
   EXPECT_THAT(toleranceNotices(tolerance)[0], HasSubstr("1 of 3 prints with errors of 10 %"));
   EXPECT_THAT(tolerancePage(tolerance), HasSubstr("<td>each tier</td>"));
