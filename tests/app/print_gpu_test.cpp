@@ -1,6 +1,8 @@
 // The command that prints, as a user calls it.
 #include <gmock/gmock.h>
 
+#include <algorithm>
+#include <cmath>
 #include <csignal>
 #include <filesystem>
 #include <nlohmann/json.hpp>
@@ -9,6 +11,7 @@
 #include "tests/app/subprocess.h"
 #include "tests/support/dome_scene.h"
 #include "tests/support/folders.h"
+#include "tests/support/golden_text.h"
 #include "tests/support/temporary_folder.h"
 
 namespace morphgrid {
@@ -62,6 +65,62 @@ TEST_F(PrintCommand, LeavesGcodeForEveryTier) {
   }
 }
 
+/// Where two documents differ: devices differ in the last digits of what they solve.
+std::string differenceOf(const nlohmann::json& a, const nlohmann::json& b) {
+  if (a.is_number() && b.is_number()) {
+    const double x = a, y = b;
+    return std::abs(x - y) <= 1e-3 * std::abs(x) + 1e-6 ? "" : a.dump() + " != " + b.dump();
+  }
+  if (a.type() != b.type() || a.size() != b.size()) return a.dump() + " != " + b.dump();
+  if (!a.is_structured()) return a == b ? "" : a.dump() + " != " + b.dump();
+  const auto left = a.items(), right = b.items();
+  for (auto one = left.begin(), other = right.begin(); one != left.end(); ++one, ++other) {
+    if (one.key() != other.key()) return one.key() + " != " + other.key();
+    const std::string difference = differenceOf(one.value(), other.value());
+    if (!difference.empty()) return one.key() + ": " + difference;
+  }
+  return "";
+}
+
+/// Struts of the same excess have no order.
+nlohmann::json sortedReport(const std::string& text) {
+  auto report = nlohmann::json::parse(text.empty() ? "{}" : text);
+  if (report.contains("struts")) {
+    auto& struts = report["struts"]["out_of_range"];
+    std::sort(struts.begin(), struts.end(),
+              [](const auto& a, const auto& b) { return a["strut"] < b["strut"]; });
+  }
+  return report;
+}
+
+TEST_F(PrintCommand, TheReportOfTheStripIsTheGoldenOne) {
+  const ProcessResult result =
+      print(sourceFolder() / "scenes/strip.toml", {"--out", path("strip"), "--quiet"});
+  EXPECT_EQ(result.exitCode, 3) << result.output;
+  const std::string text = readFile(path("strip/print.json"));
+  const std::string difference =
+      differenceOf(sortedReport(text), sortedReport(readGolden("print_strip.json")));
+  if (!difference.empty())
+    ADD_FAILURE() << difference << '\n' << keepActual(text, "print_strip.json");
+}
+
+TEST_F(PrintCommand, WritesSolidsForSlicersOnWish) {
+  folder_.write("out/tier_4.stl", "of an earlier print");
+  const ProcessResult with = print("dome.toml", {"--out", path("out"), "--stl", "--3mf"});
+  EXPECT_EQ(with.exitCode, 0) << with.output;
+  EXPECT_THAT(with.output, HasSubstr("STL and 3MF are for looking, for posts and for uniform "
+                                     "sheets: slicers lay every strut along itself"));
+  for (const char* file : {"tier_1.stl", "tier_2.stl", "tier_3.stl", "tiers.3mf"}) {
+    EXPECT_GT(std::filesystem::file_size(path("out/" + std::string(file))), 1000u) << file;
+  }
+  EXPECT_FALSE(std::filesystem::exists(path("out/tier_4.stl")));
+  const ProcessResult without = print("dome.toml", {"--out", path("out")});
+  EXPECT_EQ(without.exitCode, 0) << without.output;
+  EXPECT_THAT(without.output, Not(HasSubstr("for looking")));
+  EXPECT_FALSE(std::filesystem::exists(path("out/tier_1.stl")));
+  EXPECT_FALSE(std::filesystem::exists(path("out/tiers.3mf")));
+}
+
 TEST_F(PrintCommand, StrutsOutOfRangeAreWrittenAndTold) {
   const ProcessResult result =
       print("dome.toml", {"--out", path("out"), "--set", "surface.theta_u=[1.2, -1.2]"});
@@ -83,6 +142,7 @@ TEST_F(PrintCommand, RefusalsWriteNothing) {
   refused({"--scale", "60"}, "the sheet does not fit 250 x 210 mm: at most ");
   refused({"--scale", "4"}, "struts are too short for hubs of 3.66 mm at 4 mm per unit");
   refused({"--scale", "-4"}, "--scale");
+  refused({"--passes", "30"}, "but a strut of 2.40 mm swells to 3.65 mm: ");
   refused({"--pin", "20"}, "struts are too short");
   refused({"--pin", "40"}, "--pin");
   const ProcessResult unread = runMorphgrid({"print", path("dome.toml"), "--printer",

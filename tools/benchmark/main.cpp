@@ -9,6 +9,7 @@
 #include "benchmark/frame_benchmark.h"
 #include "benchmark/inputs.h"
 #include "benchmark/machine_benchmark.h"
+#include "benchmark/print_benchmark.h"
 #include "benchmark/profile_benchmark.h"
 #include "benchmark/ray_benchmark.h"
 #include "benchmark/robustness.h"
@@ -43,6 +44,7 @@ int runBenchmark(std::vector<std::string> arguments) {
   addMachineBenchmark(app);
   addSweepBenchmark(app);
   addRayBenchmark(app);
+  addPrintBenchmark(app);
   addRobustnessTable(app);
   addDisturbedRuns(app);
   addFidelityTable(app);

@@ -13,13 +13,6 @@ namespace {
 /// In the scene's unit of length: layer spacing times nodes, see scenes/cup.toml.
 constexpr double kCupThickness = 18.9;
 
-std::filesystem::path fileOf(const std::string& nameOrFile) {
-  const std::filesystem::path path = nameOrFile;
-  return path.extension() == ".toml"
-             ? path
-             : std::filesystem::path(MORPHGRID_SCENES) / (nameOrFile + ".toml");
-}
-
 Problem designed(std::string name, const Scene& scene) {
   SceneDesign design = designScene(scene);
   Problem problem{std::move(name), std::move(design.design), scene.weights, scene.scaling};
@@ -32,13 +25,24 @@ Problem designed(std::string name, const Scene& scene) {
 Problem cupOf(int nodesLong, std::vector<std::string> overrides) {
   overrides.push_back(fmt::format("grid.nodes_long={}", nodesLong));
   overrides.push_back(fmt::format("grid.layer_spacing={}", kCupThickness / nodesLong));
-  return designed(fmt::format("cup {}", nodesLong), loadScene(fileOf("cup"), overrides));
+  return designed(fmt::format("cup {}", nodesLong), loadScene(sceneFile("cup"), overrides));
 }
 
 }  // namespace
 
+std::filesystem::path checkoutFolder() {
+  return std::filesystem::path(MORPHGRID_SCENES).parent_path();
+}
+
+std::filesystem::path sceneFile(const std::string& nameOrFile) {
+  const std::filesystem::path path = nameOrFile;
+  return path.extension() == ".toml"
+             ? path
+             : std::filesystem::path(MORPHGRID_SCENES) / (nameOrFile + ".toml");
+}
+
 Problem sceneProblem(const std::string& nameOrFile) {
-  const Scene scene = loadScene(fileOf(nameOrFile));
+  const Scene scene = loadScene(sceneFile(nameOrFile));
   return designed(scene.name, scene);
 }
 

@@ -1,4 +1,5 @@
 #pragma once
+#include <filesystem>
 #include <optional>
 #include <string>
 
@@ -21,6 +22,12 @@ struct Problem {
     return stackedGrid(design, weights, scaling, printedLayer);
   }
 };
+
+/// Where the scenes, printers and materials of the project are.
+std::filesystem::path checkoutFolder();
+
+/// nameOrFile: as sceneProblem() takes it.
+std::filesystem::path sceneFile(const std::string& nameOrFile);
 
 /// nameOrFile: "egg_chair" for scenes/egg_chair.toml, or a path that ends in .toml. Throws
 /// InputError when there is none.
