@@ -39,7 +39,9 @@ constexpr const char* kWritingWhatThereIs =
     "interrupted: writing what there is (report and state, then other files for as long as a "
     "second); Ctrl-C again drops it";
 constexpr const char* kOnlyReportIsWritten =
-    "interrupted: report and state are written, of the pictures and other files not all";
+    "interrupted: report and state are written, of the other files not all; `morphgrid figures` "
+    "and "
+    "the output folder draw where the run stood";
 
 void writePicture(const std::filesystem::path& path, const Panel& panel, PictureOptions options) {
   options.caption = panel.caption;
@@ -116,9 +118,7 @@ void writeResults(const Scene& scene, const SceneDesign& designed, Simulation& s
     const Target* target = designed.target.get();
     drawRun(scene, designed, target ? target->meshSampling() : nullptr, simulation, context);
   } else if (scene.pictures.enabled) {
-    simulation.record.notices.push_back(
-        fmt::format("interrupted: no pictures; morphgrid figures {} draws where the run stood",
-                    files.folder().string()));
+    simulation.record.notices.emplace_back(kOnlyReportIsWritten);
   }
   endIn(0);
 }

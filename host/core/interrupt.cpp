@@ -53,7 +53,10 @@ void onInterrupt(int) {
   errno = before;
 }
 
-void onTimeUp(int) { endNow(); }
+void onTimeUp(int) {
+  tellNow(interruptLine);
+  endNow();
+}
 
 }  // namespace
 

@@ -25,8 +25,8 @@ class OnInterrupt {
   const char* lineBefore_;
 };
 
-/// Ends the program in so many seconds as a second Ctrl-C does, unless it has ended by itself. 0:
-/// no longer.
+/// Ends the program in so many seconds as a second Ctrl-C does, with the line of the innermost
+/// OnInterrupt, unless it has ended by itself. 0: no longer.
 void endIn(double seconds);
 
 /// Has a file removed when the program is ended by Ctrl-C. path: lives until keepWhenEnded() is
