@@ -168,7 +168,8 @@ SceneDesign designFor(const Scene& scene, const std::shared_ptr<const Target>& t
   const ChosenNet chosen = naming(size, request, survey, [&] {
     return chooseNet(map, size, request, [&](const Net& net) { return sampler->points(net); });
   });
-  const SurfaceMeasurement measurement = sampler->measure(chosen.net, chosen.points, size.curvatureLimit);
+  const SurfaceMeasurement measurement =
+      sampler->measure(chosen.net, chosen.points, size.curvatureLimit);
   Eigen::Matrix3Xd normals;
   if (request.reference == Reference::middle || request.layout == Layout::conformal) {
     normals = sampler->normals(chosen.net);

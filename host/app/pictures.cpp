@@ -31,8 +31,7 @@ Pictures::Pictures(const Device& device, const PictureOptions& picture, ShowPane
 
 std::optional<ScaleBar> Pictures::scaleBar(const Camera& camera,
                                            const Eigen::Matrix3Xd& seen) const {
-  const Eigen::Vector3d middle =
-      (seen.rowwise().maxCoeff() + seen.rowwise().minCoeff()) / 2;
+  const Eigen::Vector3d middle = (seen.rowwise().maxCoeff() + seen.rowwise().minCoeff()) / 2;
   return scaleBarAt(camera, middle, size_.height, kScaleBarShare * size_.width, unit_);
 }
 
@@ -77,14 +76,13 @@ void Pictures::drawShrink(const StrutGrid& stacked, const ShrinkBounds& bounds) 
   const StrutGrid layers = spreadLayers(stacked, size_.aspect());
   const DeviceGrid deviceGrid(device_, layers);
   const Camera camera = frame(layers.positions, kTopView);
-  show_("shrink",
-        {drawStrutShares(device_, deviceGrid, computeShrinkShares(stacked, bounds), camera,
-                         size_.width, size_.height),
-         fmt::format("shrink: layers side by side, bottom first; 100 % is {}",
-                     bounds.hubDiameter > 0
-                         ? std::string("what each strut can")
-                         : fmt::format("the allowed {:g} %", 100 * bounds.material.most)),
-         shrinkLegend(), scaleBar(camera, layers.positions)});
+  show_("shrink", {drawStrutShares(device_, deviceGrid, computeShrinkShares(stacked, bounds),
+                                   camera, size_.width, size_.height),
+                   fmt::format("shrink: layers side by side, bottom first; 100 % is {}",
+                               bounds.hubDiameter > 0
+                                   ? std::string("what each strut can")
+                                   : fmt::format("the allowed {:g} %", 100 * bounds.material.most)),
+                   shrinkLegend(), scaleBar(camera, layers.positions)});
 }
 
 void Pictures::drawDistance(const PlacedGrid& result, const DeviceGrid& target,
@@ -97,8 +95,7 @@ void Pictures::drawDistance(const PlacedGrid& result, const DeviceGrid& target,
                                        {target, Eigen::Isometry3d::Identity()}, camera, size_.width,
                                        size_.height),
                      "distance to the overlaid target: % of its diagonal, and length",
-                     distanceLegend(largest, 100 * largest / diagonal),
-                     scaleBar(camera, targets)});
+                     distanceLegend(largest, 100 * largest / diagonal), scaleBar(camera, targets)});
 }
 
 void Pictures::drawResult(const DeviceGrid& deviceGrid, const Eigen::Matrix3Xd& positions,
@@ -121,10 +118,9 @@ void Pictures::drawResult(const DeviceGrid& deviceGrid, const Eigen::Matrix3Xd& 
   if (targets) {
     const StrutGrid grid = layerAtRest(deviceGrid.shape(), deviceGrid.spacing(), *targets);
     const DeviceGrid target(device_, grid);
-    show_("target", {renderer_.drawSurface(target, Eigen::Isometry3d::Identity(), camera),
-                     "target",
-                     {},
-                     bar});
+    show_(
+        "target",
+        {renderer_.drawSurface(target, Eigen::Isometry3d::Identity(), camera), "target", {}, bar});
     drawDistance({deviceGrid, targetFromGrid}, target, middleLayer(deviceGrid.shape(), aligned),
                  *targets, camera);
   }

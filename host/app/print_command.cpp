@@ -97,8 +97,7 @@ void addKeyOptions(CLI::App& command, PrintKeys& keys) {
   command.add_option("--printer", keys.printer,
                      "a printer file, e.g. printers/prusa_mk4.toml [the scene's print.printer, as "
                      "the others have their keys]");
-  command.add_option("--material", keys.material,
-                     "a material file, e.g. materials/pla_0.08.toml");
+  command.add_option("--material", keys.material, "a material file, e.g. materials/pla_0.08.toml");
   command
       .add_option("--scale", keys.scale,
                   "mm of the finished object per unit of the scene [the largest that fits]")
@@ -107,8 +106,7 @@ void addKeyOptions(CLI::App& command, PrintKeys& keys) {
       .add_option("--pin", keys.pin,
                   "diameter of the pins through hubs and tubes, mm [1.75, filament]")
       ->check(CLI::Range(0.2, 20.0));
-  command
-      .add_option("--clearance", keys.clearance, "by how much wider their holes are, mm [0.2]")
+  command.add_option("--clearance", keys.clearance, "by how much wider their holes are, mm [0.2]")
       ->check(CLI::Range(0.0, 5.0));
   command.add_option("--loops", keys.loops, "rings of a hub beside each other [2]")
       ->check(CLI::Range(1, 10));

@@ -41,8 +41,8 @@ PrintOutcome print(const Scene& scene, const SceneDesign& designed, Simulation s
   const PrintTools tools = toolsOf(scene, options);
   const StrutGrid& grid = simulation.stage.grid;
   simulation.stage.onDevice.reset();  // Its memory is for what is laid.
-  PrintRecord record{
-      .plan = planPrint(scene.name, grid, tools.printer, tools.material, tools.request)};
+  PrintRecord record{.plan =
+                         planPrint(scene.name, grid, tools.printer, tools.material, tools.request)};
   context.attempt([&] {
     record.shape =
         simulateLaid(scene, designed.targets, simulation.stage, record.plan.rest, *context.device);

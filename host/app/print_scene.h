@@ -11,7 +11,7 @@ struct PrintOptions {
   std::filesystem::path outputFolder;
   std::vector<std::string> overrides;  ///< Of the keys of [print] of a finished run.
   std::optional<double> enlargement;   ///< See PrintRequest.
-  bool isPlain = false;  ///< Without comments that name struts.
+  bool isPlain = false;                ///< Without comments that name struts.
   DeviceOptions device;
   bool quiet = false;  ///< No progress.
 };

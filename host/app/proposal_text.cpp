@@ -102,8 +102,7 @@ std::string trueDesignText(const SceneProposal& proposal) {
           ? ""
           : fmt::format("least_shrinkage = {} # What every strut loses at the least.\n",
                         proposal.material.leastShrinkage),
-      netText(proposal), proposal.design.compensateRounds,
-      proposal.design.optimiseSteps);
+      netText(proposal), proposal.design.compensateRounds, proposal.design.optimiseSteps);
 }
 
 std::string printText(const ProposalRequest& request) {

@@ -31,13 +31,13 @@ MaterialRequest materialAsRun(const Scene& scene, const RunRecord& record) {
 }
 
 Stage lastStage(RunState& state) {
-  return {.grid = std::move(state.grid),
-          .onDevice = nullptr,
-          .solver = nullptr,
-          .equilibrium = state.equilibrium(),
-          .printScale = state.record.printScale,
-          .mmPerUnit = state.record.print ? std::optional(state.record.print->scale)
-                                          : std::nullopt};
+  return {
+      .grid = std::move(state.grid),
+      .onDevice = nullptr,
+      .solver = nullptr,
+      .equilibrium = state.equilibrium(),
+      .printScale = state.record.printScale,
+      .mmPerUnit = state.record.print ? std::optional(state.record.print->scale) : std::nullopt};
 }
 
 }  // namespace

@@ -172,8 +172,8 @@ KnobOffer aroundItsValue(std::string label) {
 
 const std::vector<SceneKeySection>& sceneKeys() {
   static const std::vector<SceneKeySection> kSections = {
-      topKeys(),   surfaceKeys(), materialKeys(), printKeys(),  gridKeys(),
-      designKeys(), weightKeys(), solverKeys(),   outputKeys(), paperKeys()};
+      topKeys(),    surfaceKeys(), materialKeys(), printKeys(),  gridKeys(),
+      designKeys(), weightKeys(),  solverKeys(),   outputKeys(), paperKeys()};
   return kSections;
 }
 

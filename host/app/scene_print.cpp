@@ -28,8 +28,7 @@ MaterialRequest materialOf(const Scene& scene, const std::optional<double>& mmPe
   return material;
 }
 
-std::optional<double> strutThicknessOf(const Scene& scene,
-                                       const std::optional<double>& mmPerUnit) {
+std::optional<double> strutThicknessOf(const Scene& scene, const std::optional<double>& mmPerUnit) {
   const std::optional<double>& own = scene.design.strutThickness;
   if (own || !scene.print || !mmPerUnit) {
     return own;

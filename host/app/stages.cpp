@@ -267,9 +267,8 @@ Stage Stages::runFull(const SceneDesign& designed, const Eigen::Matrix3Xd& print
   };
   double printScale = 1;
   if (scene_.design.enforceShrinkage && scene_.design.layout != Layout::conformal) {
-    printScale = choosePrintScale(stackedAt(1), [&](double scale) {
-      return shrinkBoundsOf(scene_, mmPerUnitAt(scale));
-    });
+    printScale = choosePrintScale(
+        stackedAt(1), [&](double scale) { return shrinkBoundsOf(scene_, mmPerUnitAt(scale)); });
   }
   const std::optional<double> mmPerUnit = mmPerUnitAt(printScale);
   StrutGrid grid = stackedAt(printScale);

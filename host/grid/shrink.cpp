@@ -13,8 +13,8 @@ StrutValues computeShrinks(const StrutGrid& grid) {
 StrutValues computeShrinkShares(const StrutGrid& grid, const ShrinkBounds& bounds) {
   StrutValues shares = computeShrinks(grid);
   forEachStrut(grid.shape, [&](const Strut& strut) {
-    valueAt(shares, strut) /= strut.isLateral() ? bounds.at(lengthAt(grid.positions, strut)).most
-                                                : bounds.material.most;
+    valueAt(shares, strut) /=
+        strut.isLateral() ? bounds.at(lengthAt(grid.positions, strut)).most : bounds.material.most;
   });
   return shares;
 }

@@ -46,10 +46,8 @@ double now() {
 
 /// valueOf(range) times the printed length, one a strut.
 template <typename ValueOf>
-VectorXd withinBounds(const VectorXd& printed, const ShrinkBounds& bounds,
-                      const ValueOf& valueOf) {
-  return printed.unaryExpr(
-      [&](double length) { return valueOf(bounds.at(length)) * length; });
+VectorXd withinBounds(const VectorXd& printed, const ShrinkBounds& bounds, const ValueOf& valueOf) {
+  return printed.unaryExpr([&](double length) { return valueOf(bounds.at(length)) * length; });
 }
 
 VectorXd lowest(const VectorXd& designed, const VectorXd& printed,

@@ -17,8 +17,8 @@
 namespace morphgrid {
 
 struct InverseOptions {
-  int compensateRounds = 0;                ///< >= 0
-  int optimiseSteps = 0;                   ///< >= 0
+  int compensateRounds = 0;  ///< >= 0
+  int optimiseSteps = 0;     ///< >= 0
   /// Every strut keeps to them; their lengths are in the unit of the grid.
   std::optional<ShrinkBounds> shrinkBounds;
   /// |length - rest| / rest of lateral struts beyond it counts as distance does, > 0.

@@ -6,7 +6,7 @@ namespace morphgrid {
 
 /// How a grid would be printed, as far as a run tells it.
 struct PrintAssessment {
-  std::string printer;   ///< Their names.
+  std::string printer;  ///< Their names.
   std::string material;
   double scale = 0;        ///< mm of the finished object per scene unit.
   double enlargement = 1;  ///< See planPrint().

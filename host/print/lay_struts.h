@@ -16,8 +16,8 @@ struct DesignedStrut {
 std::vector<DesignedStrut> designedStruts(const StrutGrid& grid);
 
 /// How much larger than the run's sheet it is best printed: 1 where that leaves no strut out of
-/// range, else in [0.8, 1.3] by the fewest struts out of range, then the least sum of squares of what is missing, then so that the median strut is in
-/// the middle of its range.
+/// range, else in [0.8, 1.3] by the fewest struts out of range, then the least sum of squares of
+/// what is missing, then so that the median strut is in the middle of its range.
 double bestEnlargement(const std::vector<DesignedStrut>& struts, const StrutLay& lay, double scale);
 
 /// Fills the plan's shares, rest lengths and figures; scale, enlargement and hub are set.

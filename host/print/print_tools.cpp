@@ -14,8 +14,7 @@ namespace morphgrid {
 namespace {
 
 HubShape hubOf(const PrintTools& tools) {
-  return hubShapeOf(tools.request,
-                    {tools.printer.lineWidth, tools.material.tube.passHeight});
+  return hubShapeOf(tools.request, {tools.printer.lineWidth, tools.material.tube.passHeight});
 }
 
 }  // namespace

@@ -70,8 +70,8 @@ class Judge {
       }
       if (f->closeStruts && f->closeStruts->count > 0) {
         add(fmt::format("{} closer to another than it is thick, {:.3g} of {:.3g}",
-                        withCount(f->closeStruts->count, "strut comes", "struts come"), f->closeStruts->smallestClearance,
-                        f->closeStruts->thickness),
+                        withCount(f->closeStruts->count, "strut comes", "struts come"),
+                        f->closeStruts->smallestClearance, f->closeStruts->thickness),
             "thinner struts, fewer nodes or a larger grid.layer_spacing");
       }
     }
@@ -86,8 +86,7 @@ class Judge {
   }
 
   void judgeWayFromFlat() {
-    const char* const wayOut =
-        "help it by hand, or another grid.layer_spacing or design.optimise";
+    const char* const wayOut = "help it by hand, or another grid.layer_spacing or design.optimise";
     const auto tell = [&](const std::optional<double>& rms) {
       add(rms ? fmt::format("from flat it morphs into another equilibrium, {:.3g} % (RMS) away",
                             *rms)
@@ -128,8 +127,8 @@ class Judge {
 
   void judgeTiers() {
     if (record_.bars && record_.bars->height > record_.grid.layerSpacing) {
-      add(fmt::format("bars are {:.3g} high but the layers only {:.3g} apart",
-                      record_.bars->height, record_.grid.layerSpacing),
+      add(fmt::format("bars are {:.3g} high but the layers only {:.3g} apart", record_.bars->height,
+                      record_.grid.layerSpacing),
           "a lower material.bar_height, fewer print.passes or a larger grid.layer_spacing");
     }
   }

@@ -251,7 +251,8 @@ ordered_json printedSheetToJson(const RunRecord& record) {
   }
   const auto pair = [](const Eigen::Array2d& size) { return ordered_json{size.x(), size.y()}; };
   const auto mm = record.printedSheetMm();
-  return {{"size", pair(*record.printedSheet)}, {"size_mm", mm ? pair(*mm) : ordered_json(nullptr)}};
+  return {{"size", pair(*record.printedSheet)},
+          {"size_mm", mm ? pair(*mm) : ordered_json(nullptr)}};
 }
 
 template <typename Figures>

@@ -74,8 +74,8 @@ struct RunRecord {
   std::optional<Equilibrium> inPlane;
   /// Extents along x and y of the flat sheet that is printed, in the scene's unit.
   std::optional<Eigen::Array2d> printedSheet;
-  std::optional<BarSizes> bars;            ///< Not of Model::paper.
-  std::optional<PrintAssessment> print;    ///< Only with [print].
+  std::optional<BarSizes> bars;          ///< Not of Model::paper.
+  std::optional<PrintAssessment> print;  ///< Only with [print].
   /// How much the sheet that the in-plane stage left is enlarged, see choosePrintScale().
   double printScale = 1;
   std::optional<Equilibrium> full;       ///< Not for grids of one layer.

@@ -40,9 +40,9 @@ constexpr bool followsMotion(Coloring coloring) {
 }
 
 /// For all but Coloring::strain, which the shaders compute. canColor() must hold.
-/// Shrink: the share of what a strut can lose. Layer: from the bottom to the top. Distance: of a column's
-/// middle to its target, from 0 to the largest; of a strut, the mean of its ends'; so is the
-/// printed angle error. Bending strain and joint rotation: those of BarState, from 0 to the
+/// Shrink: the share of what a strut can lose. Layer: from the bottom to the top. Distance: of a
+/// column's middle to its target, from 0 to the largest; of a strut, the mean of its ends'; so is
+/// the printed angle error. Bending strain and joint rotation: those of BarState, from 0 to the
 /// largest.
 ColorShares computeColors(Coloring coloring, const ShownGrid& shown, const Snapshot& snapshot);
 

@@ -12,7 +12,8 @@ namespace {
 using testing::AllOf;
 using testing::HasSubstr;
 
-const std::string kPrinter = "printer = '" + (sourceFolder() / "printers/prusa_mk4.toml").string() + "'\n";
+const std::string kPrinter =
+    "printer = '" + (sourceFolder() / "printers/prusa_mk4.toml").string() + "'\n";
 const std::string kMaterial =
     "material = '" + (sourceFolder() / "materials/pla_0.08.toml").string() + "'\n";
 
@@ -35,9 +36,10 @@ TEST(ScenePrint, IsReadWithItsFiles) {
 
 TEST(ScenePrint, FilesAreRelativeToTheScene) {
   SceneFiles files(kBezierScene + std::string("[print]\nprinter = \"../mine.toml\"\n") + kMaterial);
-  EXPECT_THAT(files.problems(), AllOf(HasSubstr("scene.toml:7:11: print.printer must name a readable "
-                                                "printer file"),
-                                      HasSubstr("mine.toml")));
+  EXPECT_THAT(files.problems(),
+              AllOf(HasSubstr("scene.toml:7:11: print.printer must name a readable "
+                              "printer file"),
+                    HasSubstr("mine.toml")));
 }
 
 TEST(ScenePrint, NeedsPrinterAndMaterial) {
@@ -50,8 +52,8 @@ TEST(ScenePrint, NeedsPrinterAndMaterial) {
 
 TEST(ScenePrint, TheMaterialSetsWhatMayShrink) {
   EXPECT_DOUBLE_EQ(SceneFiles(printed("")).load().design.maxShrinkage, 0.42);
-  EXPECT_DOUBLE_EQ(
-      SceneFiles(printed("")).load({"grid.max_shrinkage=0.3"}).design.maxShrinkage, 0.3);
+  EXPECT_DOUBLE_EQ(SceneFiles(printed("")).load({"grid.max_shrinkage=0.3"}).design.maxShrinkage,
+                   0.3);
 }
 
 TEST(ScenePrint, BoundsAreThoseOfThePrintStrutByStrut) {
@@ -68,7 +70,7 @@ TEST(ScenePrint, BoundsAreThoseOfThePrintStrutByStrut) {
 TEST(ScenePrint, TheFrameGetsTheSizesThatAreLaid) {
   Scene scene = SceneFiles(printed("scale = 20\n[material]\nmodel = \"frame\"\n")).load();
   const MaterialRequest material = materialOf(scene, 20);
-  EXPECT_NEAR(*material.barWidth, 1.316 / 20, 1e-4);       // Three lines.
+  EXPECT_NEAR(*material.barWidth, 1.316 / 20, 1e-4);        // Three lines.
   EXPECT_NEAR(*material.barHeight, 0.8 * 1.52 / 20, 1e-9);  // Ten passes, swollen.
   EXPECT_NEAR(*material.jointRadius, 3.66 / 2 / 20, 1e-4);
   // As stiff as a round bar of a hub's diameter: pi d^4 / 64 = a^4 / 12.
@@ -85,8 +87,7 @@ TEST(ScenePrint, WithoutAScaleTheSheetThatIsLaidOutFitsTheBed) {
           .load();
   const SceneDesign designed = designScene(scene);
   ASSERT_TRUE(designed.sheet && designed.mmPerUnit);
-  EXPECT_EQ(*designed.mmPerUnit,
-            largestScale(scene.print->tools, designed.sheet->sheet.positions));
+  EXPECT_EQ(*designed.mmPerUnit, largestScale(scene.print->tools, designed.sheet->sheet.positions));
   EXPECT_EQ(designed.sheet->figures.strutsOutOfRange, 0);
   const ShrinkBounds bounds = shrinkBoundsOf(scene, designed.mmPerUnit);
   const GridShape shape = designed.design.rest.front().shape();

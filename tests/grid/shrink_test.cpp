@@ -53,7 +53,8 @@ TEST(ShrinkShares, AreOfWhatEachStrutCan) {
   StrutGrid grid{.shape = {3, 2, 1}, .spacing = 1};
   grid.positions = Eigen::Matrix3Xd::Zero(3, 6);
   forEachVertex(grid.shape, [&](const GridPlace& place) {
-    grid.positions.col(grid.shape.index(place)) << 10 * place.i + 5 * (place.i > 1), place.j * 10, 0;
+    grid.positions.col(grid.shape.index(place)) << 10 * place.i + 5 * (place.i > 1), place.j * 10,
+        0;
   });
   grid.rest = StrutValues(grid.shape);
   const ShrinkBounds bounds{{-0.08, 0.42}, 0.05, 3.66};
@@ -62,9 +63,8 @@ TEST(ShrinkShares, AreOfWhatEachStrutCan) {
     valueAt(grid.rest, strut) = length * (1 - 0.5 * bounds.at(length).most);
   });
   const StrutValues shares = computeShrinkShares(grid, bounds);
-  forEachLateralStrut(grid.shape, [&](const Strut& strut) {
-    EXPECT_NEAR(valueAt(shares, strut), 0.5, 1e-12);
-  });
+  forEachLateralStrut(grid.shape,
+                      [&](const Strut& strut) { EXPECT_NEAR(valueAt(shares, strut), 0.5, 1e-12); });
 }
 
 }  // namespace

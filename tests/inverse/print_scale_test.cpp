@@ -45,8 +45,7 @@ TEST(PrintScale, HubsAskForALargerSheet) {
   const LateralRest lateral(grid.shape);
   const double length = lateral.lengthsAt(grid.positions).minCoeff();
   const ShrinkBounds bounds{{-0.08, 0.42}, 0.05, 0.4 * length};
-  grid.rest = lateral.replacedIn(
-      grid, Eigen::VectorXd::Constant(lateral.size(), 0.8 * length));
+  grid.rest = lateral.replacedIn(grid, Eigen::VectorXd::Constant(lateral.size(), 0.8 * length));
   StrutGrid even = grid;
   forEachVertex(grid.shape, [&](const GridPlace& place) {
     even.positions.col(grid.shape.index(place)) << length * place.i, length * place.j, place.layer;

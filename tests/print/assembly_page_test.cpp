@@ -56,7 +56,8 @@ TEST(AssemblyPage, SaysWhatToDo) {
 TEST(PrintReport, HasCountsAndWaysOut) {
   const PrintRecord record = sampleRecord();
   EXPECT_THAT(printTable(record), HasSubstr("strut u 0 0 of tier 1: 70.0 %, can "));
-  EXPECT_THAT(record.verdict.line(), HasSubstr("1 would have to shrink more than they can, 0 less"));
+  EXPECT_THAT(record.verdict.line(),
+              HasSubstr("1 would have to shrink more than they can, 0 less"));
   EXPECT_THAT(record.verdict.line(), HasSubstr("grid.max_shrinkage = 0.35"));
   EXPECT_THAT(printJson(record), HasSubstr("\"too_much\": 1"));
   EXPECT_THAT(printNotices(record).front(), HasSubstr("was not measured"));

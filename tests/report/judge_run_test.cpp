@@ -17,15 +17,14 @@ RunRecord goodRecord() {
   record.full->smallestEigenvalue.reset();
   record.distance->rmsPercent = 0.2;
   record.shrink = ShrinkFigures{};
-  record.print = PrintAssessment{.printer = "some printer", .material = "some material", .scale = 12};
+  record.print =
+      PrintAssessment{.printer = "some printer", .material = "some material", .scale = 12};
   return record;
 }
 
 std::string lineOf(const RunRecord& record) { return judgeRun(record).line(); }
 
-TEST(JudgeRun, NothingWrongIsPrintable) {
-  EXPECT_EQ(lineOf(goodRecord()), "printable: yes");
-}
+TEST(JudgeRun, NothingWrongIsPrintable) { EXPECT_EQ(lineOf(goodRecord()), "printable: yes"); }
 
 TEST(JudgeRun, WithoutAPrinterItSaysSo) {
   RunRecord record = goodRecord();
@@ -33,8 +32,9 @@ TEST(JudgeRun, WithoutAPrinterItSaysSo) {
   EXPECT_THAT(lineOf(record), StartsWith("printable: yes, as far as grid.max_shrinkage and"));
   record.shrink->strutsOverLimit = 3;
   record.shrink->strutsUnderLeast = 4;
-  EXPECT_THAT(lineOf(record), StartsWith("printable: no, because 7 of 2151 struts are out of range: "
-                                         "3 would have to shrink more than they can, 4 less"));
+  EXPECT_THAT(lineOf(record),
+              StartsWith("printable: no, because 7 of 2151 struts are out of range: "
+                         "3 would have to shrink more than they can, 4 less"));
 }
 
 TEST(JudgeRun, EveryObstacleIsCountedWithItsWayOut) {
@@ -77,8 +77,8 @@ TEST(JudgeRun, WhatDidNotComeToRestIsNotPrintable) {
   record.full->reason = StopReason::iterationLimit;
   EXPECT_THAT(lineOf(record), HasSubstr("did not come to rest"));
   record = goodRecord();
-  record.full->smallestEigenvalue = {.value = -0.1, .residual = 1e-6, .iterations = 9,
-                                     .converged = true};
+  record.full->smallestEigenvalue = {
+      .value = -0.1, .residual = 1e-6, .iterations = 9, .converged = true};
   EXPECT_THAT(lineOf(record), HasSubstr("the full stage ended at a saddle"));
 }
 
