@@ -13,6 +13,12 @@
 #include "render/spread_layers.h"
 
 namespace morphgrid {
+namespace {
+
+constexpr double kScaleBarShare = 0.2;  // Of a picture's width, at most.
+
+}  // namespace
+
 Pictures::Pictures(const Device& device, const PictureOptions& picture, ShowPanel show,
                    View resultView)
     : device_(device),

@@ -23,13 +23,13 @@ SceneKeySection printKeys() {
       {
           {.name = "printer",
            .value = fileKey(at(&Scene::print, &ScenePrint::printerFile), "printer file",
-                            "printers/ has some"),
+                            "(printers/ has some)"),
            .defaultInWords = "required, if there is a `[print]`",
            .meaning = "A printer file, see [printing_format.md](printing_format.md), relative to "
                       "this file."},
           {.name = "material",
            .value = fileKey(at(&Scene::print, &ScenePrint::materialFile), "material file",
-                            "materials/ has some"),
+                            "(materials/ has some)"),
            .defaultInWords = "required, if there is a `[print]`",
            .meaning = "A material file, alike. What its struts can lose, each by its length, takes "
                       "the place of `grid.max_shrinkage` and `material.least_shrinkage`; bars are "

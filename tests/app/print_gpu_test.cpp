@@ -1,4 +1,5 @@
 // The command that prints, as a user calls it.
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
 #include <algorithm>
@@ -8,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/read_file.h"
+#include "tests/app/scene_files.h"
 #include "tests/app/subprocess.h"
 #include "tests/support/dome_scene.h"
 #include "tests/support/folders.h"
@@ -119,6 +121,37 @@ TEST_F(PrintCommand, WritesSolidsForSlicersOnWish) {
   EXPECT_THAT(without.output, Not(HasSubstr("for looking")));
   EXPECT_FALSE(std::filesystem::exists(path("out/tier_1.stl")));
   EXPECT_FALSE(std::filesystem::exists(path("out/tiers.3mf")));
+}
+
+TEST_F(PrintCommand, WhatIsDesignedForItsPrintIsPrintable) {
+  folder_.write("p.toml", kGoodPatch);
+  const auto keys = [](const char* name, const char* file) {
+    return fmt::format("{} = '{}'\n", name, (sourceFolder() / file).string());
+  };
+  folder_.write("scene.toml", std::string(kBezierScene) +
+                                  "layers = 3\nnodes_long = 6\n[design]\n"
+                                  "enforce_shrinkage = true\ncompensate = 3\n[print]\n" +
+                                  keys("printer", "printers/prusa_mk4.toml") +
+                                  keys("material", "materials/pla_0.08.toml"));
+  for (const char* model : {"paper", "bars", "frame"}) {
+    const ProcessResult run =
+        runMorphgrid({"run", path("scene.toml"), "--out", path("out"), "--set",
+                      std::string("material.model=") + model, "--set", "output.pictures=false"});
+    EXPECT_EQ(run.exitCode, 0) << run.output;
+    EXPECT_TRUE(run.output.ends_with("printable: yes\n")) << run.output;
+    const auto report = nlohmann::json::parse(readFile(path("out/report.json")));
+    EXPECT_TRUE(report["verdict"]["printable"]);
+    EXPECT_EQ(report["shrink"]["struts_over_limit"], 0);
+    EXPECT_EQ(report["shrink"]["struts_under_least"], 0);
+
+    const ProcessResult printed = runMorphgrid({"print", path("out")});
+    EXPECT_EQ(printed.exitCode, 0) << printed.output;
+    EXPECT_TRUE(printed.output.ends_with("printable: yes\n")) << printed.output;
+    const auto print = nlohmann::json::parse(readFile(path("out/print/print.json")));
+    EXPECT_EQ(print["sizes"]["scale_mm_per_unit"], report["print"]["scale_mm_per_unit"]) << model;
+    EXPECT_EQ(print["sizes"]["enlargement"], 1.0) << model;
+    EXPECT_TRUE(print["struts"]["out_of_range"].empty()) << model;
+  }
 }
 
 TEST_F(PrintCommand, StrutsOutOfRangeAreWrittenAndTold) {

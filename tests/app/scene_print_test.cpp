@@ -17,6 +17,9 @@ const std::string kPrinter =
 const std::string kMaterial =
     "material = '" + (sourceFolder() / "materials/pla_0.08.toml").string() + "'\n";
 
+/// Of two rings around a pin of 1.75 mm: HubShape's own test has it.
+const double kHub = hubShapeOf({}, {0.45, 0.2}).diameter;
+
 std::string printed(const std::string& keys) {
   return kBezierScene + std::string("nodes_long = 6\n[print]\n") + kPrinter + kMaterial + keys;
 }
@@ -59,10 +62,10 @@ TEST(ScenePrint, TheMaterialSetsWhatMayShrink) {
 TEST(ScenePrint, BoundsAreThoseOfThePrintStrutByStrut) {
   const Scene scene = SceneFiles(printed("scale = 20\n")).load();
   const ShrinkBounds bounds = shrinkBoundsOf(scene, 20);
-  const StrutLay lay{.along = 0.42, .across = -0.08, .hub = 0.05, .hubDiameter = 3.66};
+  const StrutLay lay{.along = 0.42, .across = -0.08, .hub = 0.05, .hubDiameter = kHub};
   for (const double mm : {5.0, 9.3, 15.0, 40.0}) {
-    EXPECT_NEAR(bounds.at(mm / 20).most, lay.bounds(mm).most, 2e-4) << mm;
-    EXPECT_NEAR(bounds.at(mm / 20).least, lay.bounds(mm).least, 2e-4) << mm;
+    EXPECT_NEAR(bounds.at(mm / 20).most, lay.bounds(mm).most, 1e-12) << mm;
+    EXPECT_NEAR(bounds.at(mm / 20).least, lay.bounds(mm).least, 1e-12) << mm;
   }
   EXPECT_EQ(shrinkBoundsOf(SceneFiles(kBezierScene).load(), std::nullopt).at(1).most, 0.4);
 }
@@ -72,7 +75,7 @@ TEST(ScenePrint, TheFrameGetsTheSizesThatAreLaid) {
   const MaterialRequest material = materialOf(scene, 20);
   EXPECT_NEAR(*material.barWidth, 1.316 / 20, 1e-4);        // Three lines.
   EXPECT_NEAR(*material.barHeight, 0.8 * 1.52 / 20, 1e-9);  // Ten passes, swollen.
-  EXPECT_NEAR(*material.jointRadius, 3.66 / 2 / 20, 1e-4);
+  EXPECT_NEAR(*material.jointRadius, kHub / 2 / 20, 1e-12);
   // As stiff as a round bar of a hub's diameter: pi d^4 / 64 = a^4 / 12.
   EXPECT_NEAR(std::pow(*material.postWidth, 4) / 12,
               std::numbers::pi * std::pow(2 * *material.jointRadius, 4) / 64, 1e-12);
