@@ -175,7 +175,7 @@ TEST_F(PrintCommand, RefusalsWriteNothing) {
   refused({"--scale", "60"}, "the sheet does not fit 250 x 210 mm: at most ");
   refused({"--scale", "4"}, "struts are too short for hubs of 3.66 mm at 4 mm per unit");
   refused({"--scale", "-4"}, "--scale");
-  refused({"--passes", "30"}, "but a strut of 2.40 mm swells to 3.65 mm: ");
+  refused({"--passes", "40"}, "but a strut of 3.20 mm swells to 4.86 mm: ");
   refused({"--pin", "20"}, "struts are too short");
   refused({"--pin", "40"}, "--pin");
   const ProcessResult unread = runMorphgrid({"print", path("dome.toml"), "--printer",

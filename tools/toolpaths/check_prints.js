@@ -117,7 +117,8 @@ function drawPictures({ report, tiers, folder }) {
   const read = tiers[0].read;
   const hub = axesOf(read.moves)[0].from;
   const reach = 2.2 * report.struts.median_mm;
-  const window = { low: [hub[0] - 4, hub[1] - 4], high: [hub[0] - 4 + reach, hub[1] - 4 + 0.75 * reach] };
+  const left = hub[0] - 0.4 * reach, bottom = hub[1] - 4; // The sheet lies askew.
+  const window = { low: [left, bottom], high: [left + reach, bottom + 0.75 * reach] };
   const width = report.sizes.line_width_mm;
   // The second pass is the first with rings.
   fs.writeFileSync(path.join(images, 'toolpath_corner.svg'), drawToolpaths(read, { passes: [1], window, width, pixels: 720 }));

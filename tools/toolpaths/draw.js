@@ -34,7 +34,8 @@ function drawToolpaths(read, { passes, window, width, pixels }) {
   };
   const size = [high[0] - low[0], high[1] - low[1]];
   const inside = (point) => [0, 1].every((axis) => point[axis] >= low[axis] - 3 && point[axis] <= high[axis] + 3);
-  const at = (point) => `${round(point[0] - low[0])},${round(high[1] - point[1])}`;
+  const short = (x) => x.toFixed(window ? 2 : 1); // A tenth of a mm is less than a pixel of a whole tier.
+  const at = (point) => `${short(point[0] - low[0])},${short(high[1] - point[1])}`;
   const group = (chosen, colour, stroke) => {
     const d = polylines(chosen, inside).map((line) => `M${line.map(at).join(' ')}`).join('');
     return d && `<path d="${d}" stroke="${colour}" stroke-width="${round(stroke)}"/>\n`;
