@@ -13,10 +13,10 @@ namespace {
 constexpr std::uint64_t kTexel = sizeof(vec4);
 
 // Texels a vertex.
-constexpr std::uint64_t kGridTexels = 4;      // DeviceGrid
-constexpr std::uint64_t kStagingTexels = 1;   // A download on its way to the host.
-constexpr std::uint64_t kCycleTexels = 5;     // VCycle, GridHessian
-constexpr std::uint64_t kCycleEndTexels = 2;  // What it takes and gives.
+constexpr std::uint64_t kGridTexels = 4;                     // DeviceGrid
+constexpr std::uint64_t kStagingTexels = 1;                  // A download on its way to the host.
+constexpr std::uint64_t kCycleTexels = 5;                    // VCycle, GridHessian
+constexpr std::uint64_t kCycleEndTexels = 2;                 // What it takes and gives.
 constexpr std::uint64_t kDescentTexels = 11 + kCycleTexels;  // LbfgsVectors, with those.
 constexpr std::uint64_t kVertexTexels = kGridTexels + kStagingTexels + kDescentTexels;
 constexpr std::uint64_t kPrintedTexels = 1;  // Directions.
