@@ -13,9 +13,11 @@ namespace {
 constexpr std::uint64_t kTexel = sizeof(vec4);
 
 // Texels a vertex.
-constexpr std::uint64_t kGridTexels = 4;      // DeviceGrid
-constexpr std::uint64_t kStagingTexels = 1;   // A download on its way to the host.
-constexpr std::uint64_t kDescentTexels = 16;  // LbfgsVectors, VCycle, GridHessian
+constexpr std::uint64_t kGridTexels = 4;                     // DeviceGrid
+constexpr std::uint64_t kStagingTexels = 1;                  // A download on its way to the host.
+constexpr std::uint64_t kCycleTexels = 5;                    // VCycle, GridHessian
+constexpr std::uint64_t kCycleEndTexels = 2;                 // What it takes and gives.
+constexpr std::uint64_t kDescentTexels = 11 + kCycleTexels;  // LbfgsVectors, with those.
 constexpr std::uint64_t kVertexTexels = kGridTexels + kStagingTexels + kDescentTexels;
 constexpr std::uint64_t kPrintedTexels = 1;  // Directions.
 // Of a frame: two of positions, vectors and the Hessian's positions, printed directions, what acts
@@ -55,11 +57,10 @@ std::uint64_t inverseTexels(const GridShape& shape) {
   return 2 * 3 * halfMotions * halfMotions;
 }
 
-}  // namespace
-
-SolveMemory multigridMemory(const GridShape& shape, Mechanics mechanics) {
+/// With so many texels a vertex, and coarse levels.
+SolveMemory memoryWithLevels(const GridShape& shape, std::uint64_t vertexTexels) {
   const std::uint64_t texels =
-      texelsOf(mechanics) * vertices(shape) + kPointTexels * points(shape) + inverseTexels(shape);
+      vertexTexels * vertices(shape) + kPointTexels * points(shape) + inverseTexels(shape);
   const auto partTexels = [&](int rows) {
     return kPartTexels * static_cast<std::uint64_t>(shape.verticesU) *
            static_cast<std::uint64_t>(rows);
@@ -67,6 +68,12 @@ SolveMemory multigridMemory(const GridShape& shape, Mechanics mechanics) {
   return {kTexel * texels, kHostBytesPerVertex * vertices(shape),
           kTexel * std::max(vertices(shape), partTexels(shape.verticesV)),
           kTexel * std::max(vertices(shape), partTexels(std::min(shape.verticesV, kChunkRows)))};
+}
+
+}  // namespace
+
+SolveMemory multigridMemory(const GridShape& shape, Mechanics mechanics) {
+  return memoryWithLevels(shape, texelsOf(mechanics));
 }
 
 SolveMemory inverseDesignMemory(const GridShape& shape, Mechanics mechanics) {
@@ -78,9 +85,7 @@ SolveMemory inverseDesignMemory(const GridShape& shape, Mechanics mechanics) {
 }
 
 SolveMemory jacobiMemory(const GridShape& shape) {
-  return {kTexel * (kGridTexels + kStagingTexels) * vertices(shape),
-          kHostBytesPerVertex * vertices(shape), kTexel * vertices(shape),
-          kTexel * vertices(shape)};
+  return memoryWithLevels(shape, kGridTexels + kStagingTexels + kCycleTexels + kCycleEndTexels);
 }
 
 }  // namespace morphgrid

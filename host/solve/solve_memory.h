@@ -20,7 +20,7 @@ SolveMemory multigridMemory(const GridShape& shape, Mechanics mechanics = Mechan
 /// MultigridSolver with adjoints, and what inverse design keeps on the host, with checkpoints.
 SolveMemory inverseDesignMemory(const GridShape& shape, Mechanics mechanics = Mechanics::springs);
 
-/// A stage of JacobiSolver, with checkpoints.
+/// A stage of JacobiSolver, with checkpoints and the V-cycle by which its end is judged.
 SolveMemory jacobiMemory(const GridShape& shape);
 
 }  // namespace morphgrid

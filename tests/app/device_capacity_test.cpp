@@ -35,6 +35,8 @@ TEST(DeviceCapacity, WhatIsLackingIsNamed) {
   DeviceCapacity capacity = kUnlimited;
   capacity.memory.device = 100'000'000;
   EXPECT_THAT(complaint(capacity), HasSubstr("memory on GPU, 0.1 GB are free there"));
+  capacity.memory.device = jacobiMemory(kShape).device;
+  EXPECT_THAT(complaint(capacity), HasSubstr("memory on GPU"));
   EXPECT_EQ(complaint(capacity, {Method::jacobi}), "");
   EXPECT_EQ(complaint(capacity, {Method::reference}), "");
   capacity = kUnlimited;

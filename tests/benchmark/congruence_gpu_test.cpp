@@ -41,7 +41,7 @@ Scene coarsePatch() {
   scene.design.net = NetKind::orthogonal;
   scene.design.reference = Reference::middle;
   scene.design.compensateRounds = 2;
-  scene.design.optimiseSteps = 30;
+  scene.design.optimiseSteps = 20;
   scene.design.enforceShrinkage = true;
   return scene;
 }
@@ -66,7 +66,8 @@ TEST(Congruence, SpringsWithoutInverseDesignEndAlike) {
 }
 
 TEST(Congruence, TrueShapesOfSpringsEndAlike) {
-  expectAlike(congruenceOf(validatedDevice(), "springs", coarsePatch()), 0.1, 0.25);
+  // Without going on from where the grid leaves in step 20 they end at 0.218 to 0.225.
+  expectAlike(congruenceOf(validatedDevice(), "springs", coarsePatch()), 0.05, 0.215);
 }
 
 TEST(Congruence, TrueShapesOfFramesEndAlike) {
@@ -79,7 +80,7 @@ TEST(Congruence, TrueShapesOfFramesEndAlike) {
   scene.design.maxStrain = 0.03;
   scene.design.compensateRounds = 10;
   scene.design.optimiseSteps = 10;
-  expectAlike(congruenceOf(validatedDevice(), "frame", scene), 0.1, 0.25);
+  expectAlike(congruenceOf(validatedDevice(), "frame", scene), 0.03, 0.2);
 }
 
 }  // namespace
