@@ -33,6 +33,8 @@ void OutputFiles::writeAt(const std::filesystem::path& file,
 
 void OutputFiles::tell(const std::filesystem::path& file) {
   if (quiet_) return;
+  const bool isFirst = written_.empty() && lost_.empty();
+  if (isFirst) start_ = std::chrono::steady_clock::now();  // What came before was no writing.
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start_;
   line_.tell(fmt::format("{} written, now {}", written_.size(), file.filename().string()),
              seconds.count(), -1);

@@ -29,6 +29,7 @@ class SceneReader {
       readSection(keys);
     }
     if (kind_) {
+      rejectKeysOfOthersOnTop();
       TomlSection surface = reader_.section("surface");
       std::visit([&](auto& request) { complete(surface, request); }, scene_.surface);
       checkSize();
@@ -68,6 +69,14 @@ class SceneReader {
                                          fmt::join(owners, "\" or \""), kSurfaceWords[*kind_]));
   }
 
+  /// The top level is read before the kind is known.
+  void rejectKeysOfOthersOnTop() {
+    TomlSection root = reader_.root();
+    for (const SceneKey& key : sceneKeys().front().keys) {
+      if (!key.isOf(*kind_)) reject(root, key);
+    }
+  }
+
   /// The TOML files that a surface names.
   template <typename Read>
   void readFile(const std::filesystem::path& file, const Read& read) {
@@ -93,14 +102,7 @@ class SceneReader {
     readFile(request.file, [&] { request.configuration = readMeshConfiguration(request.file); });
   }
 
-  void complete(TomlSection&, BendAngleRequest&) {
-    TomlSection root = reader_.root();
-    if (root.node("true_shape")) {
-      root.reject("true_shape",
-                  "needs a target: a surface of kind \"bezier\" or \"mesh\", this one is "
-                  "\"bend_angles\"");
-    }
-  }
+  void complete(TomlSection&, BendAngleRequest&) {}
 
   void completePrint() {
     TomlSection section = reader_.section("print");

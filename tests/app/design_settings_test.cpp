@@ -61,7 +61,7 @@ TEST(DesignSettings, OneKeyAsksForTheTrueShape) {
   EXPECT_EQ(other.material.model, Model::bars);
   EXPECT_FALSE(other.design.enforceShrinkage);
   EXPECT_THAT(SceneFiles(kBendAnglesScene).problems({"true_shape=true"}),
-              HasSubstr("true_shape needs a target"));
+              HasSubstr("true_shape belongs to surfaces of kind \"bezier\" or \"mesh\""));
 }
 
 TEST(DesignSettings, TrueScenesAreWhatTheKeyMeans) {

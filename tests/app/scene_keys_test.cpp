@@ -143,9 +143,9 @@ TEST_F(ScenesOfAllKinds, RefuseTheKeysOfOthers) {
     for (const SceneKey& key : section.keys) {
       for (std::size_t kind = 0; kind < kSurfaceWords.size(); ++kind) {
         if (key.isOf(kind)) continue;
-        EXPECT_THAT(
-            problems(kind, {section.name + "." + key.name + "=1"}),
-            HasSubstr(fmt::format("{}.{} belongs to surfaces of kind \"", section.name, key.name)));
+        const std::string dotted = section.name.empty() ? key.name : section.name + "." + key.name;
+        EXPECT_THAT(problems(kind, {dotted + "=1"}),
+                    HasSubstr(dotted + " belongs to surfaces of kind \""));
       }
     }
   }

@@ -17,6 +17,8 @@ namespace morphgrid {
 namespace {
 
 constexpr const char* kRunsBlock = "disturbed runs";
+constexpr const char* kRunsHead =
+    "## Disturbed runs\n\nWritten by `tools/robustness runs --document docs/robustness.md`.\n\n";
 
 bool isWhole(const std::filesystem::path& file) {
   const std::string bytes = readFile(file);
@@ -72,7 +74,8 @@ void run(const DisturbedOptions& options) {
   if (text.empty())
     throw InputError(fmt::format("--only {}: there is no such group", options.only));
   if (!options.document.empty()) {
-    writeFileAtomically(options.document, withBlock(readFile(options.document), kRunsBlock, text));
+    writeFileAtomically(options.document,
+                        withBlock(readFile(options.document), kRunsBlock, kRunsHead + text));
   }
   if (!isWell) throw std::runtime_error("a run did not end as it should");
 }

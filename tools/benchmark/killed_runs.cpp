@@ -40,8 +40,8 @@ struct KilledRun {
 
 Arguments runOf(const DisturbedPlace& place, const std::string& out, const Arguments& more = {}) {
   Arguments arguments{"run", place.scene("egg_chair_true"), "--quiet", "--out", place.folder / out};
-  for (const char* value : {"grid.nodes_long=24", "design.compensate=4", "design.optimise=8",
-                            "output.width=640", "output.height=480"}) {
+  for (const char* value : {"grid.nodes_long=14", "design.compensate=3", "design.optimise=8",
+                            "output.width=320", "output.height=240"}) {
     arguments.insert(arguments.end(), {"--set", value});
   }
   arguments.insert(arguments.end(), more.begin(), more.end());
