@@ -67,7 +67,7 @@ ordered_json tierJson(const TierFigures& tier) {
   const auto metres = [&](PathKind kind) {
     return tier.pathMm[static_cast<std::size_t>(kind)] / 1000;
   };
-  return {{"heights", tier.passes},
+  return {{"passes", tier.passes},
           {"path_m", tier.laidMm() / 1000},
           {"along_m", metres(PathKind::along)},
           {"across_m", metres(PathKind::across)},

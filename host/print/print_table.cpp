@@ -78,7 +78,7 @@ void addTiers(PrintRows& rows, const PrintRecord& record) {
   double laid = 0;
   for (std::size_t n = 0; n < record.tiers.size(); ++n) {
     const TierFigures& tier = record.tiers[n];
-    rows.row(fmt::format("tier {}", n + 1).c_str(), "{:.1f} m, {:.1f} g, {}; {} heights",
+    rows.row(fmt::format("tier {}", n + 1).c_str(), "{:.1f} m, {:.1f} g, {}; {} passes",
              tier.laidMm() / 1000, tier.grams, hours(tier.seconds), tier.passes);
     seconds += tier.seconds;
     grams += tier.grams;

@@ -51,7 +51,7 @@ function compareTier(name, folder, report, tier) {
   const top = sizes.strut_height_mm + (isTop ? 0 : sizes.tube_height_mm);
   const heights = [...read.heights].sort((a, b) => a - b);
   const passes = inPasses.at(-1).pass + 1; // Low tubes go up row by row, so heights come again.
-  check(`${where}: ${passes} passes, not ${told.heights}`, passes === told.heights);
+  check(`${where}: ${passes} passes, not ${told.passes}`, passes === told.passes);
   check(`${where}: ends at ${heights.at(-1)} mm, not ${top}`, Math.abs(heights.at(-1) - top) < 6e-4);
   const reach = sizes.line_width_mm / 2;
   const isOnBed = [0, 1].every((axis) => read.low[axis] >= reach && read.high[axis] <= sizes.bed_mm[axis] - reach);
