@@ -68,7 +68,8 @@ TEST_F(ResultSources, PrintedLayersAreDrawnWithTheFinalLengths) {
   };
   const auto drawShrink = [&](const StrutGrid& grid) {
     wanted_ = "shrink";
-    return drawn([&](Pictures& pictures) { pictures.drawShrink(grid, scene.design.maxShrinkage); });
+    return drawn(
+        [&](Pictures& pictures) { pictures.drawShrink(grid, run_.simulation.stage.shrinkBounds); });
   };
   EXPECT_EQ(drawStacked(printed), readFile(path("stacked.png")));
   EXPECT_NE(drawStacked(designed), readFile(path("stacked.png"))) << "the picture can tell";
@@ -93,31 +94,35 @@ TEST_F(ResultSources, TheMorphedGridIsDrawnWhereItRests) {
 }
 
 TEST_F(ResultSources, FilesHoldTheFinalGrid) {
-  const auto export_ = [&](const Stage& stage, const std::string& name) {
+  const auto export_ = [&](const Simulation& simulation, const std::string& name) {
     std::filesystem::create_directories(folder_ / name);
     OutputFiles files(folder_ / name, true);
-    exportFiles(stage, run_.simulation.targetFromGrid, {}, files);
+    exportFiles(simulation, run_.designed.targets, {}, files);
     EXPECT_TRUE(files.lost().empty());
   };
-  export_(run_.simulation.stage, "same");
-  Stage moved = run_.simulation.stage;
-  moved.equilibrium.positions *= 1.001;
+  export_(run_.simulation, "same");
+  Simulation moved = run_.simulation;
+  moved.stage.equilibrium.positions *= 1.001;
   export_(moved, "moved");
-  for (const char* name : {"warped.glb", "warped.vtu", "surface.ply", "surface.obj"}) {
+  for (const char* name :
+       {"warped.glb", "warped.vtu", "printed.vtu", "surface.ply", "surface.obj"}) {
     EXPECT_EQ(readFile(folder_ / "same" / name), readFile(path(name))) << name;
     EXPECT_NE(readFile(folder_ / "moved" / name), readFile(path(name))) << name;
   }
-  Stage relengthened = run_.simulation.stage;
-  relengthened.grid.rest.u[0] *= 1.001;
+  Simulation relengthened = run_.simulation;
+  relengthened.stage.grid.rest.u[0] *= 1.001;
   export_(relengthened, "relengthened");
-  EXPECT_NE(readFile(folder_ / "relengthened/warped.vtu"), readFile(path("warped.vtu")));
+  for (const char* name : {"warped.vtu", "printed.vtu"}) {
+    EXPECT_NE(readFile(folder_ / "relengthened" / name), readFile(path(name))) << name;
+  }
 }
 
 TEST_F(ResultSources, FiguresOfTheReportAreOfTheFinalGrid) {
   const Simulation& simulation = run_.simulation;
   const auto json = report();
   EXPECT_NEAR(json["shrink"]["largest_percent"].get<double>(),
-              computeShrink(simulation.stage.grid, shrinkRangeOf(run_.scene)).largestPercent, 1e-9);
+              computeShrink(simulation.stage.grid, simulation.stage.shrinkBounds).largestPercent,
+              1e-9);
   const Eigen::Matrix3Xd placed =
       simulation.targetFromGrid * simulation.stage.equilibrium.positions;
   const auto target = loadTarget(run_.scene);
