@@ -201,8 +201,8 @@ FilmRecord filmMorph(const Scene& scene, const SceneDesign& designed, const Devi
                options, files, quiet);
   }
   if (!options.gltf.empty()) {
-    files.writeAt(options.gltf, [&](const auto& path) {
-      writeGltf(path, stage.grid, course.positions, turns, placements);
+    files.writeAt(options.gltf, [&, &shapes = course.positions, &angles = turns](const auto& path) {
+      writeGltf(path, stage.grid, shapes, angles, placements);
     });
   }
   return recordOf(course, stage.equilibrium);

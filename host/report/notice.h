@@ -20,6 +20,7 @@ struct Notice {
 
   Notice(std::string what, Severity how = Severity::advice)
       : text(std::move(what)), severity(how) {}
+  Notice(const char* what) : text(what) {}
   operator const std::string&() const { return text; }
   bool operator==(const Notice&) const = default;
 };

@@ -40,6 +40,7 @@ class ResultSources : public testing::Test {
           PictureOptions options = picture;
           options.caption = panel.caption;
           options.legend = panel.legend;
+          options.scaleBar = panel.scaleBar;
           if (name == wanted_) writePng(file, composePicture(panel.scene, options));
         },
         run_.designed.view());

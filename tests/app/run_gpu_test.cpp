@@ -358,7 +358,7 @@ TEST_F(Run, ClampsAreTold) {
   EXPECT_EQ(run.exitCode, 0);
   EXPECT_THAT(run.output, HasSubstr("Eq. 21"));
   EXPECT_THAT(run.output, HasSubstr("Eq. 23"));
-  EXPECT_THAT(run.output, HasSubstr("grid.curvature_cutoff = 0.29 would do"));
+  EXPECT_THAT(run.output, HasSubstr("no grid.curvature_cutoff of 0.5 or more would do"));
   EXPECT_THAT(run.output, HasSubstr("suggested p                         0.29"));
 }
 

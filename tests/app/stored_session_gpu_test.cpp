@@ -1,6 +1,7 @@
 // A live session that opens a finished run, without a window, under the validation layers.
 #include <gmock/gmock.h>
 
+#include "report/judge_run.h"
 #include "report/report_table.h"
 #include "tests/app/leave_state.h"
 #include "tests/app/live_session.h"
@@ -39,7 +40,8 @@ TEST_F(StoredSession, ShowsAllOfTheRunWithoutSolving) {
   EXPECT_TRUE(isStored(*snapshot)) << snapshot->status;
   EXPECT_FALSE(solves_);
   EXPECT_EQ(snapshot->title, "Vault");
-  EXPECT_EQ(snapshot->figures, toTable(run.simulation.record));
+  EXPECT_EQ(snapshot->figures,
+            toTable(run.simulation.record) + judgeRun(run.simulation.record).line());
   EXPECT_EQ(*snapshot->targets, *run.designed.targets);
   EXPECT_FALSE(snapshot->knobs.empty());
   EXPECT_FALSE(snapshot->history.empty());

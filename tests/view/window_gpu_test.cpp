@@ -176,7 +176,7 @@ TEST_F(ViewerWindow, DrawsStrutsInTheStyleThatTheUserChooses) {
 TEST_F(ViewerWindow, TurnsAKnobSavesTheSceneAndUndoes) {
   const auto viewer = start();
   focus("^Dome, warped: at rest");
-  desktop_.click(190, 378);  // The "+" of the layers.
+  desktop_.click(190, 401);  // The "+" of the layers.
   desktop_.awaitWindow("^Dome, (in-plane|warped): (in plane|full)");
   EXPECT_NE(desktop_.awaitWindow("^Dome, warped: at rest"), "");
   desktop_.press("ctrl+s");
@@ -197,7 +197,7 @@ TEST_F(ViewerWindow, ColorsAFrameByEachFigureThatItHas) {
   const std::filesystem::path choice = desktop_.folder() / "choice.png";
   const auto shownChoice = [&] {  // What the panel says.
     desktop_.run("sleep 1");
-    desktop_.run(fmt::format("convert {} -crop 260x18+10+269 +repage {}",
+    desktop_.run(fmt::format("convert {} -crop 260x18+10+292 +repage {}",
                              desktop_.screenshot("all").string(), choice.string()));
     return readPng(choice.string()).rgba;
   };

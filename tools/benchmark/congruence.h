@@ -35,9 +35,10 @@ struct CongruenceResult {
   double spread() const;
 };
 
-/// Designs and simulates a scene of a Bezier patch and all its images.
+/// Designs and simulates images of a scene of a Bezier patch.
 CongruenceResult congruenceOf(const std::shared_ptr<Device>& device, const std::string& name,
-                              const Scene& scene);
+                              const Scene& scene,
+                              const std::vector<CongruentImage>& images = congruentImages());
 
 /// Five surfaces, each with the paper's design and with the one for the true shape, on coarse
 /// grids; those whose `congruence: name` contains `only`. scenes: the folder of the scene files.
