@@ -212,7 +212,7 @@ TEST_F(CheckpointFile, OtherFilesAndVersionsAreRefused) {
   EXPECT_THAT(problemOf("[surface]\n"), HasSubstr("is no checkpoint of morphgrid"));
   EXPECT_THAT(problemOf(""), HasSubstr("is no checkpoint of morphgrid"));
   writeArrayFile(file(), {"morphgrid checkpoint", 1, "", ""}, {}, {});
-  EXPECT_THAT(problem(file()), HasSubstr("has version 1, this morphgrid reads version 4"));
+  EXPECT_THAT(problem(file()), HasSubstr("has version 1, this morphgrid reads version 5"));
   writeArrayFile(file(), {"morphgrid state", 3, "", ""}, {}, {});
   EXPECT_THAT(problem(file()), HasSubstr("is no checkpoint of morphgrid"));
 }

@@ -245,7 +245,7 @@ obj = false
 TEST(LoadScene, ReadsEveryKeyOfABendAnglesScene) {
   EXPECT_THAT(SceneFiles(std::string(kBendAnglesScene) + "[elsewhere]\n").problems(),
               testing::StartsWith("scene.toml:7:2: unknown key elsewhere; known here: extends, "
-                                  "title, surface, material, grid, "));
+                                  "title, surface, material, print, grid, "));
   const Scene scene = SceneFiles(R"([surface]
 kind = "bend_angles"
 theta_u = [0.5, 1]

@@ -35,7 +35,7 @@ TEST(ListCutoffConsequences, GivesEquations21And23) {
 }
 
 TEST(ListCutoffConsequences, AgreesWithTheSizeThatIsChosen) {
-  DesignRequest asked = request(1, 1);
+  DesignRequest asked = request(1, 20);
   for (const CutoffConsequence& c : listCutoffConsequences(evenSurvey(), asked)) {
     asked.curvatureCutoff = c.cutoff;
     const GridSize size = chooseGridSize(evenSurvey(), asked);
