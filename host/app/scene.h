@@ -6,7 +6,7 @@
 #include <variant>
 #include <vector>
 
-#include "app/scene_print.h"
+#include "app/print_section.h"
 #include "design/build_grids.h"
 #include "design/grid_design.h"
 #include "design/material.h"

@@ -40,11 +40,7 @@ class PlateWalk {
   }
 
   void layStroke(std::vector<Vector2d> points, PathKind kind, double height) {
-    path_ = PrintPath();
-    path_.points = std::move(points);
-    path_.kind = kind;
-    path_.bead = plan_.strutBead(height);
-    path_.speed = std::min(plan_.material.hub.speed, fastest_);
+    path_ = strokeOf(plan_, std::move(points), kind, height, fastest_);
     visitor_.lay(path_);
   }
 

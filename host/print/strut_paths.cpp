@@ -102,6 +102,16 @@ double layZone(const PrintPlan& plan, const StrutPass& pass, const StrutZone& zo
                  : layAcross(frame, lines, begin, end, side, path);
 }
 
+PrintPath strokeOf(const PrintPlan& plan, std::vector<Eigen::Vector2d> points, PathKind kind,
+                   double height, double fastest) {
+  PrintPath path;
+  path.points = std::move(points);
+  path.kind = kind;
+  path.bead = plan.strutBead(height);
+  path.speed = std::min(plan.material.hub.speed, fastest);
+  return path;
+}
+
 void layRing(const Eigen::Vector2d& centre, double radius, double angle, PrintPath& path) {
   constexpr double kStep = 2 * std::numbers::pi / kRingSides;
   const double corners = radius / std::cos(kStep / 2);

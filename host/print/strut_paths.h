@@ -47,6 +47,10 @@ void visitStrut(const PrintPlan& plan, const StrutPass& pass, PrintPath& path, V
   }
 }
 
+/// A path of the skirt or the tag: as slow as hubs.
+PrintPath strokeOf(const PrintPlan& plan, std::vector<Eigen::Vector2d> points, PathKind kind,
+                   double height, double fastest);
+
 /// Writes a circle to a path, as a polygon of kRingSides that begins and ends at this angle: around
 /// the circle, so that it does not narrow the hole, and with the circle's volume.
 void layRing(const Eigen::Vector2d& centre, double radius, double angle, PrintPath& path);

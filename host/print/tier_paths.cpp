@@ -54,11 +54,7 @@ class TierWalk {
   }
 
   void layStroke(std::vector<Eigen::Vector2d> points, PathKind kind) {
-    path_ = PrintPath();
-    path_.points = std::move(points);
-    path_.kind = kind;
-    path_.bead = plan_.strutBead(height_);
-    path_.speed = std::min(plan_.material.hub.speed, fastest_);
+    path_ = strokeOf(plan_, std::move(points), kind, height_, fastest_);
     visitor_.lay(path_);
   }
 

@@ -45,7 +45,6 @@ constexpr RowMeaning kRowMeanings[] = {
     {"twist, mean / max", "by how much layers turn against each other at a joint"},
     {"scale varies by", "largest over smallest enlargement of the sheet against the target"},
     {"struts out of range", "whose shrink the sheet cannot bring within the material's"},
-    {"laid out in", "iterations and time of the layout"},
     {"curvature cutoff",
      "p is the share of measured curvatures that stay as they are (grid.curvature_cutoff = p); "
      "stronger ones count as the largest of these. What each p would mean:"},
@@ -69,6 +68,7 @@ constexpr RowMeaning kRowMeanings[] = {
     {"collapsed cells", "whose area is next to nothing"},
     {"self-intersecting cells", "that pass through another"},
     {"struts too close", "closer to another than grid.strut_thickness"},
+    {"layout:", "the flat sheet is laid out"},
     {"in plane:", "one layer of square cells comes to rest in its plane: the sheet to print"},
     {"full:",
      "all layers come to rest in space. Energy is what the struts still store (0: no stress), "

@@ -92,7 +92,6 @@ void addSheet(Table& table, const RunRecord& record) {
             fmt::format("{:.1f} / {:.1f} deg", degrees(s.meanTwist), degrees(s.largestTwist)));
   table.row("  scale varies by", fmt::format("{:.3g}", s.scaleRatio));
   table.row("  struts out of range", fmt::format("{}", s.strutsOutOfRange));
-  table.row("  laid out in", fmt::format("{} it., {:.2f} s", s.iterations, s.seconds));
 }
 
 /// What other cutoffs would mean: advice for a design, so only where nothing is solved yet.
@@ -269,6 +268,10 @@ void addFigures(Table& table, const RunRecord& record) {
 std::string toTable(const RunRecord& record) {
   Table table(record);
   addFigures(table, record);
+  if (record.sheet) {
+    table.line(fmt::format("  {:<9} {}, {:.2f} s", "layout:", counted(record.sheet->iterations),
+                           record.sheet->seconds));
+  }
   addStage(table, "in plane:", record.inPlane);
   if (!record.inverse) addStage(table, "full:", record.full);
   addInverse(table, record);

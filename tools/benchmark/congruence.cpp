@@ -191,9 +191,10 @@ std::string toMarkdown(const std::vector<CongruenceResult>& results) {
       "inverse design of {} steps, bars {} of the layer spacing high), {} nodes along\n"
       "the longer side: as they are, mirrored, reversed, swapped, 1000 times as large, moved, "
       "turned. RMS: distance of the morphed\n"
-      "middle layer to its target, percent of the diagonal. Where none is beyond {} % they count "
-      "as "
-      "one.\n\n",
+      "middle layer to its target, percent of the diagonal; the paper's designs are judged by "
+      "their "
+      "springs, those for the true shape as\n"
+      "frames: compare images, not designs. Where none is beyond {} % they count as one.\n\n",
       kStepsToTheEnd, kBarHeight, kCoarseNodes, kClose);
   text += kCongruenceHead;
   for (const CongruenceResult& result : results) text += toRow(result);

@@ -1,4 +1,4 @@
-#include "app/scene_print.h"
+#include "app/print_section.h"
 
 #include <algorithm>
 
