@@ -12,6 +12,7 @@
 #include "app/simulate_scene.h"
 #include "core/atomic_file.h"
 #include "core/create_folder.h"
+#include "core/interrupt.h"
 #include "core/on_interrupt.h"
 #include "export/gltf.h"
 #include "export/surface_files.h"
@@ -27,7 +28,9 @@ namespace {
 constexpr double kFarOff = 1;          // % of the diagonal: then what would help is looked for.
 constexpr int kSurfaceRefinement = 4;  // Cells per grid cell, along u and v, of the surface files.
 
-constexpr double kSecondsForResults = 1;  // After Ctrl-C, once the report is written.
+// After Ctrl-C; report and state are written by then, and small files take no time.
+constexpr double kSecondsForResults = 1;
+constexpr double kLeastSecondsForResults = 0.1;
 constexpr const char* kReportFile = "report.json";
 constexpr const char* kFilesBesideReport[] = {
     "convergence.csv", "optimise.csv", "optimise.svg", kStateFile,     "surface.obj",
@@ -36,8 +39,8 @@ constexpr const char* kFilesBesideReport[] = {
     "distance.png",    "target.png",   "printed.vtu"};
 
 constexpr const char* kWritingWhatThereIs =
-    "interrupted: writing what there is (report and state, then other files for as long as a "
-    "second); Ctrl-C again drops it";
+    "interrupted: writing what there is (report and state, then other files while the first second "
+    "lasts); Ctrl-C again drops it";
 constexpr const char* kOnlyReportIsWritten =
     "interrupted: report and state are written, of the other files not all; `morphgrid figures` "
     "and "
@@ -112,7 +115,9 @@ void writeResults(const Scene& scene, const SceneDesign& designed, Simulation& s
                   RunContext& context, OutputFiles& files) {
   const OnInterrupt endingNow(InterruptAct::end, kOnlyReportIsWritten);
   const bool isInterrupted = scene.solve.stopRequested();
-  if (isInterrupted) endIn(kSecondsForResults);
+  if (isInterrupted) {
+    endIn(std::max(kSecondsForResults - secondsSinceInterrupt(), kLeastSecondsForResults));
+  }
   exportFiles(simulation, designed.targets, scene.files, files);
   if (!isInterrupted) {
     const Target* target = designed.target.get();

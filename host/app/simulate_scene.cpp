@@ -86,6 +86,11 @@ Eigen::Isometry3d alignResult(const Stage& stage, const std::optional<Eigen::Mat
   return isHeld ? Eigen::Isometry3d::Identity() : alignRigidly(positions, stage.grid.positions);
 }
 
+/// Both take longer than a large run that is interrupted may.
+constexpr const char* kNotExamined =
+    "interrupted: neither the target's closest points nor cells that are inverted or pass through "
+    "others were looked for";
+
 /// What of the design and of its result cannot be printed, or cannot be.
 void assessPrintability(const Stage& stage, const Scene& scene, RunRecord& record) {
   const auto tell = [&](const std::vector<std::string>& advice, Severity severity) {
@@ -101,6 +106,10 @@ void assessPrintability(const Stage& stage, const Scene& scene, RunRecord& recor
     const std::optional<double>& limit = scene.design.maxStrain;
     record.strain = computeStrain(stage.grid, stage.equilibrium.positions, limit);
     if (limit) tell(adviseOn(*record.strain, *limit), Severity::printing);
+  }
+  if (scene.solve.stopRequested()) {
+    record.notices.emplace_back(kNotExamined);
+    return;
   }
   record.feasibility = examineFeasibility(stage.grid.shape, stage.equilibrium.positions,
                                           strutThicknessOf(scene, stage.mmPerUnit));
@@ -152,6 +161,7 @@ Simulation simulateScene(const Scene& scene, const SceneDesign& designed, RunCon
   }
 
   cancellation.check();
+  const bool isInterrupted = scene.solve.stopRequested();
   const Eigen::Matrix3Xd& positions = stage.equilibrium.positions;
   const auto sheet = stage.grid.positions.topRows<2>();
   record.printedSheet = sheet.rowwise().maxCoeff() - sheet.rowwise().minCoeff();
@@ -160,8 +170,9 @@ Simulation simulateScene(const Scene& scene, const SceneDesign& designed, RunCon
   assessPrintability(stage, scene, record);
   cancellation.check();
   if (designed.targets) {
-    record.distance = computeTargetDistance(middleLayer(stage.grid.shape, positions),
-                                            *designed.targets, designed.target->closestPoints());
+    record.distance =
+        computeTargetDistance(middleLayer(stage.grid.shape, positions), *designed.targets,
+                              isInterrupted ? nullptr : &designed.target->closestPoints());
     record.symmetry = computeSymmetry(stage.grid.shape, *designed.targets,
                                       middleLayer(stage.grid.shape, positions));
     noteAsymmetry(record);

@@ -1,6 +1,7 @@
 #include "core/on_interrupt.h"
 
 #include <sys/time.h>
+#include <time.h>
 #include <unistd.h>
 
 #include <array>
@@ -16,15 +17,23 @@ namespace {
 // What a signal handler may use: atomics without locks, and few functions.
 static_assert(std::atomic<const char*>::is_always_lock_free);
 static_assert(std::atomic<InterruptAct>::is_always_lock_free);
+static_assert(std::atomic<double>::is_always_lock_free);
 
 // More than are ever written at once; the next run removes what a crowd beyond that leaves.
 constexpr int kMostPending = 1024;
 constexpr int kNoPlace = -1;
 
 std::atomic<bool> interrupted = false;
+std::atomic<double> interruptedAt = 0;  // As secondsNow() says.
 std::atomic<InterruptAct> interruptAct = InterruptAct::stop;
 std::atomic<const char*> interruptLine = "";
 std::array<std::atomic<const char*>, kMostPending> pendingFiles{};
+
+double secondsNow() {
+  timespec now{};
+  clock_gettime(CLOCK_MONOTONIC, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
 
 void tellNow(const char* line) {
   if (*line == 0) return;
@@ -43,6 +52,7 @@ void tellNow(const char* line) {
 
 void onInterrupt(int) {
   const int before = errno;
+  if (!interrupted) interruptedAt = secondsNow();
   const bool isSecond = interrupted.exchange(true);
   if (isSecond) {
     tellNow("interrupted again: the rest is dropped");
@@ -66,6 +76,8 @@ void installInterruptHandler() {
 }
 
 bool interruptRequested() { return interrupted; }
+
+double secondsSinceInterrupt() { return interrupted ? secondsNow() - interruptedAt : 0; }
 
 OnInterrupt::OnInterrupt(InterruptAct act, const char* line)
     : actBefore_(interruptAct.exchange(act)), lineBefore_(interruptLine.exchange(line)) {}

@@ -8,4 +8,7 @@ void installInterruptHandler();
 /// True once the user has asked to stop.
 bool interruptRequested();
 
+/// 0 before.
+double secondsSinceInterrupt();
+
 }  // namespace morphgrid

@@ -55,22 +55,20 @@ StrutErrors computeStrutErrors(const GridDesign& design, const StrutGrid& grid,
 }
 
 TargetDistance computeTargetDistance(const Matrix3Xd& middle, const Matrix3Xd& targets,
-                                     const ClosestPointQuery& closestPoints) {
+                                     const ClosestPointQuery* closestPoints) {
   const Matrix3Xd aligned = alignRigidly(middle, targets) * middle;
   const double diagonal = intrinsicDiagonal(targets);
   const Eigen::VectorXd parametric = 100 / diagonal * (aligned - targets).colwise().norm();
-  Eigen::VectorXd closest(aligned.cols());
-  for (Eigen::Index n = 0; n < aligned.cols(); ++n) {
-    closest[n] = 100 / diagonal * closestPoints.distance(aligned.col(n));
+  TargetDistance distance{rootMeanSquare(parametric), parametric.maxCoeff(), spreadOf(parametric),
+                          std::nullopt, diagonal, boundingDiagonal(targets)};
+  if (closestPoints) {
+    Eigen::VectorXd closest(aligned.cols());
+    for (Eigen::Index n = 0; n < aligned.cols(); ++n) {
+      closest[n] = 100 / diagonal * closestPoints->distance(aligned.col(n));
+    }
+    distance.closest = {rootMeanSquare(closest), closest.maxCoeff(), spreadOf(closest)};
   }
-  return {rootMeanSquare(parametric),
-          parametric.maxCoeff(),
-          rootMeanSquare(closest),
-          closest.maxCoeff(),
-          spreadOf(parametric),
-          spreadOf(closest),
-          diagonal,
-          boundingDiagonal(targets)};
+  return distance;
 }
 
 }  // namespace morphgrid

@@ -19,22 +19,28 @@ struct StrutErrors {
 StrutErrors computeStrutErrors(const GridDesign& design, const StrutGrid& grid,
                                const Eigen::Matrix3Xd& positions);
 
+/// To the closest points of the target's surface: forgives sliding in it; percent of the diagonal.
+struct ClosestDistance {
+  double rmsPercent;
+  double maxPercent;
+  DistanceSpread spread;
+};
+
 /// Distance of the middle layer to the target after rigid alignment, in percent of the diagonal of
 /// the target's bounding box.
 struct TargetDistance {
   double rmsPercent;  ///< To the point of the same parameters.
   double maxPercent;
-  double closestPointRmsPercent;  ///< To the closest point of the surface: forgives sliding in it.
-  double closestPointMaxPercent;
-  DistanceSpread spread;  ///< How the distances to the points of the same parameters are spread.
-  DistanceSpread closestPointSpread;  ///< How those to the closest points are spread.
+  DistanceSpread spread;
+  std::optional<ClosestDistance> closest;  ///< Absent where they were not looked for.
   double diagonal = 0;  ///< What percents refer to, in the scene's unit, see intrinsicDiagonal().
   double axisParallelDiagonal = 0;  ///< Of the box along the axes, which turns with them.
 };
 
-/// middle, targets: one column per vertex of a layer, matching. closestPoints: of the target.
+/// middle, targets: one column per vertex of a layer, matching. closestPoints: of the target;
+/// nullptr where they would take too long.
 TargetDistance computeTargetDistance(const Eigen::Matrix3Xd& middle,
                                      const Eigen::Matrix3Xd& targets,
-                                     const ClosestPointQuery& closestPoints);
+                                     const ClosestPointQuery* closestPoints);
 
 }  // namespace morphgrid

@@ -203,14 +203,17 @@ DistanceSpread readSpread(const json& d, const std::string& prefix) {
 }
 
 TargetDistance readDistance(const json& d) {
-  return {number(d.at("rms_percent")),
-          number(d.at("max_percent")),
-          number(d.at("closest_point_rms_percent")),
-          number(d.at("closest_point_max_percent")),
-          readSpread(d, ""),
-          readSpread(d, "closest_point_"),
-          number(d.value("diagonal", json(0.0))),  // Runs of before have none.
-          number(d.value("axis_parallel_diagonal", json(0.0)))};
+  TargetDistance distance{number(d.at("rms_percent")),
+                          number(d.at("max_percent")),
+                          readSpread(d, ""),
+                          std::nullopt,
+                          number(d.value("diagonal", json(0.0))),  // Runs of before have none.
+                          number(d.value("axis_parallel_diagonal", json(0.0)))};
+  if (d.contains("closest_point_rms_percent")) {  // Runs that were interrupted have none.
+    distance.closest = {number(d.at("closest_point_rms_percent")),
+                        number(d.at("closest_point_max_percent")), readSpread(d, "closest_point_")};
+  }
+  return distance;
 }
 
 ShrinkCounts readShrinkCounts(const json& s) {

@@ -152,21 +152,23 @@ ordered_json histogramOf(const DistanceSpread& s) {
   return {{"bin_percent", s.binPercent}, {"counts", s.counts}};
 }
 
+template <typename Distance>
+void addDistances(ordered_json& json, const std::string& prefix, const Distance& d) {
+  json[prefix + "rms_percent"] = d.rmsPercent;
+  json[prefix + "max_percent"] = d.maxPercent;
+  json[prefix + "median_percent"] = d.spread.medianPercent;
+  json[prefix + "percentile_90_percent"] = d.spread.percentile90;
+  json[prefix + "percentile_99_percent"] = d.spread.percentile99;
+  json[prefix + "histogram"] = histogramOf(d.spread);
+}
+
 ordered_json toJson(const TargetDistance& d) {
-  return {{"rms_percent", d.rmsPercent},
-          {"max_percent", d.maxPercent},
-          {"median_percent", d.spread.medianPercent},
-          {"percentile_90_percent", d.spread.percentile90},
-          {"percentile_99_percent", d.spread.percentile99},
-          {"histogram", histogramOf(d.spread)},
-          {"closest_point_rms_percent", d.closestPointRmsPercent},
-          {"closest_point_max_percent", d.closestPointMaxPercent},
-          {"closest_point_median_percent", d.closestPointSpread.medianPercent},
-          {"closest_point_percentile_90_percent", d.closestPointSpread.percentile90},
-          {"closest_point_percentile_99_percent", d.closestPointSpread.percentile99},
-          {"closest_point_histogram", histogramOf(d.closestPointSpread)},
-          {"diagonal", d.diagonal},
-          {"axis_parallel_diagonal", d.axisParallelDiagonal}};
+  ordered_json json;
+  addDistances(json, "", d);
+  if (d.closest) addDistances(json, "closest_point_", *d.closest);
+  json["diagonal"] = d.diagonal;
+  json["axis_parallel_diagonal"] = d.axisParallelDiagonal;
+  return json;
 }
 
 ordered_json toJson(const ShrinkCounts& s) {

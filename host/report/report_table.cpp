@@ -229,7 +229,9 @@ void addResults(Table& table, const RunRecord& record, const PublishedFigures& p
       return fmt::format("{} / {} %", digitsOf(mean), digitsOf(largest));
     };
     table.row("distance, RMS / max", pair(d.rmsPercent, d.maxPercent));
-    table.row("  to closest point", pair(d.closestPointRmsPercent, d.closestPointMaxPercent));
+    if (d.closest) {
+      table.row("  to closest point", pair(d.closest->rmsPercent, d.closest->maxPercent));
+    }
   }
   if (record.shrink) {
     table.row("largest shrink", percent(record.shrink->largestPercent));

@@ -129,7 +129,7 @@ TEST_F(ResultSources, FiguresOfTheReportAreOfTheFinalGrid) {
   const auto target = loadTarget(run_.scene);
   const TargetDistance distance =
       computeTargetDistance(middleLayer(simulation.stage.grid.shape, placed),
-                            *run_.designed.targets, target->closestPoints());
+                            *run_.designed.targets, &target->closestPoints());
   EXPECT_NEAR(json["distance_to_target"]["rms_percent"].get<double>(), distance.rmsPercent, 1e-9);
   // The tables' last rows are the end, too.
   const auto lastRow = [&](const char* name) {

@@ -111,6 +111,19 @@ TEST(Interrupt, DoesWhatTheInnermostScopeSays) {
   EXPECT_EQ(ended.told, "outer\n");
 }
 
+TEST(Interrupt, IsTimedFromTheFirstOne) {
+  const TemporaryFolder folder;
+  const Ended ended = endOf(folder, [] {
+    const OnInterrupt saving(InterruptAct::stop, "");
+    if (secondsSinceInterrupt() != 0) std::abort();
+    raise(SIGINT);
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    const double seconds = secondsSinceInterrupt();
+    if (seconds < 0.02 || seconds > 20) std::abort();
+  });
+  EXPECT_EQ(ended.exitCode, kDone);
+}
+
 TEST(Interrupt, TimeIsUpAsAfterASecondOne) {
   const TemporaryFolder folder;
   const auto wait = [] { std::this_thread::sleep_for(std::chrono::seconds(30)); };

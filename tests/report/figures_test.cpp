@@ -39,18 +39,18 @@ TEST(TargetDistance, RigidMotionIsForgiven) {
   const Eigen::Matrix3Xd targets = planePoints(5);
   const Eigen::Isometry3d motion =
       Eigen::Translation3d(3, 4, 5) * Eigen::AngleAxisd(1.3, Eigen::Vector3d(1, 2, 3).normalized());
-  const TargetDistance d = computeTargetDistance(motion * targets, targets, plane());
+  const TargetDistance d = computeTargetDistance(motion * targets, targets, &plane());
   EXPECT_LT(d.maxPercent, 1e-12);
-  EXPECT_LT(d.closestPointMaxPercent, 1e-12);
+  EXPECT_LT(d.closest->maxPercent, 1e-12);
 }
 
 TEST(TargetDistance, ClosestPointForgivesSlidingInTheSurface) {
   const Eigen::Matrix3Xd targets = planePoints(5);
   Eigen::Matrix3Xd slid = targets;
   slid.col(12) += Eigen::Vector3d(0.05, -0.02, 0);  // the centre
-  const TargetDistance d = computeTargetDistance(slid, targets, plane());
+  const TargetDistance d = computeTargetDistance(slid, targets, &plane());
   EXPECT_GT(d.rmsPercent, 0.5);
-  EXPECT_LT(d.closestPointRmsPercent, 0.2);
+  EXPECT_LT(d.closest->rmsPercent, 0.2);
 }
 
 TEST(TargetDistance, IsInPercentOfTheDiagonal) {
@@ -60,7 +60,7 @@ TEST(TargetDistance, IsInPercentOfTheDiagonal) {
   for (int n = 0; n < 9; ++n) {
     bumped(2, n) = 0.01 * ((n % 3 == 1) != (n / 3 == 1) ? -1 : 1) * (n == 4 ? 0 : 1);
   }
-  const TargetDistance d = computeTargetDistance(bumped, targets, plane());
+  const TargetDistance d = computeTargetDistance(bumped, targets, &plane());
   EXPECT_NEAR(d.maxPercent, 100 * 0.01 / std::sqrt(2.0), 0.01);
   EXPECT_NEAR(d.rmsPercent, 100 * 0.01 * std::sqrt(8.0 / 9) / std::sqrt(2.0), 0.01);
 }
@@ -70,9 +70,9 @@ TEST(TargetDistance, PercentsTurnWithTheTarget) {
   Eigen::Matrix3Xd slid = targets;
   slid(0, 4) += 0.1;
   const Eigen::AngleAxisd turn(0.7, Eigen::Vector3d::UnitZ());  // Within the plane.
-  const TargetDistance d = computeTargetDistance(slid, targets, plane());
+  const TargetDistance d = computeTargetDistance(slid, targets, &plane());
   const TargetDistance turned = computeTargetDistance(turn.toRotationMatrix() * slid,
-                                                      turn.toRotationMatrix() * targets, plane());
+                                                      turn.toRotationMatrix() * targets, &plane());
   EXPECT_NEAR(turned.rmsPercent, d.rmsPercent, 1e-9 * d.rmsPercent);
   EXPECT_NEAR(turned.diagonal, std::sqrt(2.0), 1e-12);
   EXPECT_NEAR(d.axisParallelDiagonal, std::sqrt(2.0), 1e-12);
@@ -83,13 +83,13 @@ TEST(TargetDistance, SpreadsAreOfTheSameDistances) {
   const Eigen::Matrix3Xd targets = planePoints(5);
   Eigen::Matrix3Xd slid = targets;
   slid.col(12) += Eigen::Vector3d(0.05, -0.02, 0.01);
-  const TargetDistance d = computeTargetDistance(slid, targets, plane());
+  const TargetDistance d = computeTargetDistance(slid, targets, &plane());
   EXPECT_NEAR(10 * d.spread.binPercent, d.maxPercent, 1e-12);
-  EXPECT_NEAR(10 * d.closestPointSpread.binPercent, d.closestPointMaxPercent, 1e-12);
+  EXPECT_NEAR(10 * d.closest->spread.binPercent, d.closest->maxPercent, 1e-12);
   EXPECT_EQ(d.spread.counts[0], 24);
   EXPECT_EQ(d.spread.counts[9], 1);
   EXPECT_LT(d.spread.medianPercent, d.rmsPercent);
-  EXPECT_EQ(d.closestPointSpread.percentile99, d.closestPointMaxPercent);
+  EXPECT_EQ(d.closest->spread.percentile99, d.closest->maxPercent);
 }
 
 TEST(StrutErrors, VanishOnlyAtRest) {

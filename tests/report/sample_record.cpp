@@ -29,9 +29,9 @@ RunRecord sampleRecord() {
   stage.smallestEigenvalue = {.value = 2e-5, .residual = 1e-6, .iterations = 9, .converged = true};
   record.full = stage;
   record.errors = {1, 2, 3};
-  record.distance = {4, 5, 6, 7};
+  record.distance = {4, 5, {3.5, 4.5, 4.75, 0.5, {2, 1, 0, 0, 0, 0, 0, 0, 0, 1}}};
+  record.distance->closest = {6, 7, {}};
   record.symmetry = {Symmetry::mirrorAcrossV, 1e-6, 0.2};
-  record.distance->spread = {3.5, 4.5, 4.75, 0.5, {2, 1, 0, 0, 0, 0, 0, 0, 0, 1}};
   record.shrink = ShrinkFigures{{31, 0, 2, 0, 0}, {{31, 0, 2, 0, 0}, {}}};
   record.weight = {.newtons = 0.25, .sag = 1.75};
   record.feasibility = Feasibility{};
