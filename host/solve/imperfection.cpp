@@ -21,20 +21,38 @@ double shortestRestLength(const StrutGrid& grid) {
   return shortest;
 }
 
-/// At a place in [0, 1] x [0, 1].
-Eigen::Vector3d waves(double u, double v) {
-  std::mt19937 random(1);
-  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-  for (int q = 0; q < kWaves; ++q) {
-    for (int p = 0; p < kWaves; ++p) {
-      const double wave = std::cos(std::numbers::pi * p * u) * std::cos(std::numbers::pi * q * v);
-      for (double& component : sum) {
-        component += wave * (2.0 * random() / std::mt19937::max() - 1);
-      }
+/// cos(pi p i / cells) at (i, p).
+Eigen::MatrixXd cosines(int cells) {
+  return Eigen::MatrixXd::NullaryExpr(cells + 1, kWaves, [&](Eigen::Index i, Eigen::Index p) {
+    return std::cos(std::numbers::pi * double(p) * (double(i) / cells));
+  });
+}
+
+/// A sum of waves along u and v, of random heights, always the same.
+class Waves {
+ public:
+  explicit Waves(const GridShape& shape)
+      : alongU_(cosines(shape.cellsU())), alongV_(cosines(shape.cellsV())) {
+    std::mt19937 random(1);
+    for (double& height : heights_.reshaped()) {
+      height = 2.0 * random() / std::mt19937::max() - 1;
     }
   }
-  return sum;
-}
+
+  Eigen::Vector3d at(int i, int j) const {
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    for (int q = 0; q < kWaves; ++q) {
+      for (int p = 0; p < kWaves; ++p) {
+        sum += alongU_(i, p) * alongV_(j, q) * heights_.col(q * kWaves + p);
+      }
+    }
+    return sum;
+  }
+
+ private:
+  Eigen::MatrixXd alongU_, alongV_;
+  Eigen::Matrix<double, 3, kWaves * kWaves> heights_;
+};
 
 }  // namespace
 
@@ -44,9 +62,9 @@ Eigen::Matrix3Xd withImperfection(const StrutGrid& grid, Eigen::Matrix3Xd positi
     return positions;
   }
   const double amplitude = kAmplitude * shortestRestLength(grid);
+  const Waves waves(shape);
   forEachVertex(shape.layer(), [&](const GridPlace& place) {
-    const Eigen::Vector3d move =
-        amplitude * waves(double(place.i) / shape.cellsU(), double(place.j) / shape.cellsV());
+    const Eigen::Vector3d move = amplitude * waves.at(place.i, place.j);
     for (int k = 0; k < shape.layers; ++k) {
       positions.col(shape.index(place.i, place.j, k)) += move;
     }

@@ -149,7 +149,10 @@ Eigen::Matrix3Xd MultigridSolver::solveNested(const std::vector<NestedGrid>& gri
       progress.beginGrid(n, coarse.spacing, GridEnergy(coarse).meanStiffness());
       positions = solveCoarse(coarse, progress);
     }
-    positions = withImperfection(grids[n + 1].grid, prolong(grids[n], positions, grids[n + 1]));
+    positions = prolong(grids[n], positions, grids[n + 1]);
+    if (!progress.reasonToStop()) {
+      positions = withImperfection(grids[n + 1].grid, std::move(positions));
+    }
   }
   return positions;
 }

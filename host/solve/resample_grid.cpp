@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "grid/strut_grid.h"
 
@@ -14,15 +15,21 @@ int nearestPlace(int index, int count, int otherCount) {
   return static_cast<int>(std::lround(matchingPlace(index, count, otherCount)));
 }
 
+std::vector<LineStencil> cubicStencils(int count, int fromCount) {
+  std::vector<LineStencil> stencils;
+  for (int i = 0; i < count; ++i) {
+    stencils.push_back(cubicStencil(matchingPlace(i, count, fromCount), fromCount));
+  }
+  return stencils;
+}
+
 /// One value per vertex of a layer, or one per vertex of a coarser or finer one: columns.
 Matrix3Xd resample(const GridShape& from, const Matrix3Xd& points, const GridShape& to) {
+  const std::vector<LineStencil> alongU = cubicStencils(to.verticesU, from.verticesU);
+  const std::vector<LineStencil> alongV = cubicStencils(to.verticesV, from.verticesV);
   Matrix3Xd result = Matrix3Xd::Zero(3, to.layerVertexCount());
   forEachVertex(to.layer(), [&](const GridPlace& place) {
-    const LineStencil u =
-        cubicStencil(matchingPlace(place.i, to.verticesU, from.verticesU), from.verticesU);
-    const LineStencil v =
-        cubicStencil(matchingPlace(place.j, to.verticesV, from.verticesV), from.verticesV);
-    forEachWeight(u, v, [&](int i, int j, double weight) {
+    forEachWeight(alongU[place.i], alongV[place.j], [&](int i, int j, double weight) {
       result.col(to.index(place)) += weight * points.col(from.index(i, j, 0));
     });
   });

@@ -53,7 +53,7 @@ std::vector<Phase> phasesOf(const DisturbedPlace& place) {
       {"full stage, jacobi",
        with(run("egg_chair"), {"grid.nodes_long=100", "solver.method=jacobi"}), "full:", "", 0},
       {"full stage, reference",
-       with(run("egg_chair"), {"grid.nodes_long=60", "solver.method=reference"}), "full:", "", 0},
+       with(run("egg_chair"), {"grid.nodes_long=120", "solver.method=reference"}), "full:", "", 0},
       {"inverse design", with(run("iris_petal"), trueShape), "inverse design: step", "", 0},
       {"check from flat", with(run("iris_petal"), trueShape), "check from flat", "", 0},
       {"writing files, 200 nodes",
