@@ -256,6 +256,13 @@ RunRecord recordOf(const Scene& scene, const SceneDesign& designed) {
   record.net = designed.net;
   if (designed.sheet) {
     record.sheet = designed.sheet->figures;
+    record.printedSheet = {record.sheet->sizeX, record.sheet->sizeY};
+  }
+  if (scene.print && designed.mmPerUnit) {
+    record.print = {.printer = scene.print->tools.printer.name,
+                    .material = scene.print->tools.material.name,
+                    .scale = *designed.mmPerUnit,
+                    .obstacles = {}};
   }
   record.mesh = designed.mesh;
   record.published = scene.published;

@@ -112,9 +112,10 @@ void applyMaterial(StrutGrid& grid, const MaterialRequest& material) {
   }
   if (const double post = grid.rest.w.front(); 2 * bars.upright.joint >= post) {
     throw InputError(
-        fmt::format("material.bar_height must be less than the layers are apart, {:.3g}, got "
-                    "{:.3g}: lower it or raise grid.layer_spacing",
-                    post, sizes.height));
+        fmt::format("joints leave nothing of a post that bends: the lower of material.bar_height "
+                    "({:.3g}) and twice material.joint_radius (2 x {:.3g}) must be less than the "
+                    "layers are apart, {:.3g}: lower one, or raise grid.layer_spacing",
+                    sizes.height, sizes.joint, post));
   }
   grid.bars = bars;
   grid.bars->loads = jointLoads(grid, material);

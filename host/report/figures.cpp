@@ -59,8 +59,12 @@ TargetDistance computeTargetDistance(const Matrix3Xd& middle, const Matrix3Xd& t
   const Matrix3Xd aligned = alignRigidly(middle, targets) * middle;
   const double diagonal = intrinsicDiagonal(targets);
   const Eigen::VectorXd parametric = 100 / diagonal * (aligned - targets).colwise().norm();
-  TargetDistance distance{rootMeanSquare(parametric), parametric.maxCoeff(), spreadOf(parametric),
-                          std::nullopt, diagonal, boundingDiagonal(targets)};
+  TargetDistance distance{rootMeanSquare(parametric),
+                          parametric.maxCoeff(),
+                          spreadOf(parametric),
+                          std::nullopt,
+                          diagonal,
+                          boundingDiagonal(targets)};
   if (closestPoints) {
     Eigen::VectorXd closest(aligned.cols());
     for (Eigen::Index n = 0; n < aligned.cols(); ++n) {

@@ -29,11 +29,11 @@ StopReason descend(PreconditionedDescent& descent, const SolveOptions& options,
   EnergyFall fall(options.energyTolerance, progress.noEnergy());
   for (;;) {
     // For long, soft grids a small residual says little: the energy must have come to rest too.
-    const bool isQuiet = fall.quietSteps() > 0 || options.energyTolerance == 0;
+    const bool isQuiet = fall.isQuiet(1) || options.energyTolerance == 0;
     if (isQuiet && progress.residualOf(descent) <= kResidualMargin * options.tolerance) {
       return StopReason::residual;
     }
-    if (fall.quietSteps() >= options.quietSteps) {
+    if (fall.isQuiet(options.quietSteps)) {
       return StopReason::energy;
     }
     if (const auto reason = progress.reasonToStop()) {

@@ -13,6 +13,8 @@ namespace {
 
 // Half of the steps must be as many for their fall to tell a rate.
 constexpr std::size_t kFewestSteps = 2;
+// Of all steps on a grid, those that must be quiet before it ends.
+constexpr double kQuietShare = 0.05;
 
 }  // namespace
 
@@ -22,6 +24,10 @@ void EnergyFall::add(const PreconditionedDescent& descent) {
   const double share = energy > noEnergy_ ? descent.predictedDecrease() / energy : 0;
   quietSteps_ = share < tolerance_ ? quietSteps_ + 1 : 0;
   shares_.push_back(share);
+}
+
+bool EnergyFall::isQuiet(int steps) const {
+  return quietSteps_ >= std::max(double(steps), kQuietShare * double(shares_.size()));
 }
 
 bool EnergyFall::tellsRate() const {

@@ -22,6 +22,10 @@ class EnergyFall {
   /// How many of the last steps in a row could not have lowered the energy by the tolerance.
   int quietSteps() const { return quietSteps_; }
 
+  /// Whether that many, and more the more steps there were: with weights far apart the energy falls
+  /// slowly, and a step says little about what is left.
+  bool isQuiet(int steps) const;
+
   /// Whether the last half of the steps has fallen, and they are enough to tell how fast.
   bool tellsRate() const;
   /// Steps to the tolerance, judged by the last half of them; where these tell a rate.

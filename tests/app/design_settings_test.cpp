@@ -272,5 +272,14 @@ TEST(PatchDesign, ThePapersReferenceGoesWithAnOrthogonalNetToo) {
   EXPECT_GT(designed.design.bendAngles.v(8, 10), 0);
 }
 
+TEST(DesignSettings, CheckTellsTheSizeOfTheSheetThatIsPrinted) {
+  const RunRecord record = checkNamed("egg_chair_print.toml", {});
+  ASSERT_TRUE(record.printedSheetMm());
+  const Eigen::Array2d inScene(record.sheet->sizeX, record.sheet->sizeY);
+  EXPECT_TRUE(record.printedSheetMm()->isApprox(record.print->scale * inScene));
+  EXPECT_GT(record.printedSheetMm()->maxCoeff(), 200);  // The largest that fits on 250 x 210.
+  EXPECT_FALSE(checkNamed("egg_chair_true.toml", {}).printedSheetMm());
+}
+
 }  // namespace
 }  // namespace morphgrid

@@ -77,6 +77,18 @@ TEST(ApplyMaterial, RefusesJointsThatLeaveNothingOfAStrut) {
                   HasSubstr("material.joint_radius must be less than half of the shortest strut")));
 }
 
+TEST(ApplyMaterial, RefusesJointsThatLeaveNothingOfAPost) {
+  StrutGrid grid = stackedGridOfTwoLayers();
+  const double spacing = grid.rest.w.front();
+  const auto apply = [&](double height) {
+    applyMaterial(grid,
+                  {.model = Model::frame, .barHeight = height, .jointRadius = 0.501 * spacing});
+  };
+  apply(0.9 * spacing);
+  EXPECT_THAT([&] { apply(2 * spacing); },
+              testing::ThrowsMessage<InputError>(HasSubstr("leave nothing of a post")));
+}
+
 TEST(AdviseOnBars, TellsOfBarsThatOverlapAndOfStockyOnes) {
   StrutGrid grid = stackedGridOfTwoLayers();
   EXPECT_THAT(adviseOnBars(grid, {.model = Model::frame}), IsEmpty());
