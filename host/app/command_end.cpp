@@ -19,9 +19,7 @@ int exitCodeOf(const RunRecord& record) {
   if (record.deviceFailure) {
     return kDeviceFailure;
   }
-  if (ended([](const Equilibrium& e) { return e.reason == StopReason::interrupted; })) {
-    return kInterrupted;
-  }
+  if (record.isInterrupted) return kInterrupted;
   if (!record.lostFiles.empty()) {
     return kOutputLost;
   }

@@ -62,7 +62,10 @@ void addNewCommand(CLI::App& app, Action& action) {
       "new", "look at a mesh and write a scene for it, with a reason for each choice");
   command->add_option("FILE", request.mesh, "mesh: OBJ, STL, PLY, glTF or GLB")->required();
   command->add_option("--out", arguments->folder, "folder of the scene [out/FILE]");
-  command->add_option("--size", request.size, "longer side of what is printed, in mm [100]")
+  command
+      ->add_option("--size", request.size,
+                   "longer side of the part of the mesh that is taken, in mm [100; with --printer "
+                   "as large as fits]")
       ->type_name("MM")
       ->check(CLI::PositiveNumber);
   command->add_option("--nodes", request.nodesLong, "nodes along the longer side [20]")

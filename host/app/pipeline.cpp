@@ -204,6 +204,7 @@ RunRecord runScene(const Scene& scene, const RunOptions& options) {
   writeResults(scene, designed, simulation, context, files);
   context.requireSilence();
   if (context.failure) record.deviceFailure = context.failure;
+  record.isInterrupted = scene.solve.stopRequested();
   record.lostFiles = files.lost();
   return std::move(record);
 }

@@ -111,9 +111,10 @@ std::string printText(const ProposalRequest& request) {
       "[print]\n"
       "printer = {}\n"
       "material = {}\n"
-      "# scale = 1 # mm of the finished object per unit, mm here; without it the largest that "
+      "{}scale = 1 # mm of the finished object per unit, mm here; without it the largest that "
       "fits.\n",
-      quoted(request.printerFile.string()), quoted(request.materialFile.string()));
+      quoted(request.printerFile.string()), quoted(request.materialFile.string()),
+      request.size ? "" : "# ");
 }
 
 std::string sightLine(const SightRating& rating) {

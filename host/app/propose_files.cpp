@@ -40,12 +40,24 @@ class ProposalLine {
   bool isShown_;
 };
 
+/// NAME_before.toml, or the first of NAME_before_2.toml, ... that is not there yet.
+std::filesystem::path placeForWhatWasThere(const std::filesystem::path& file) {
+  std::filesystem::path before = file;
+  const std::string stem = file.stem().string() + "_before";
+  before.replace_filename(stem + file.extension().string());
+  for (int n = 2; std::filesystem::exists(before); ++n) {
+    before.replace_filename(fmt::format("{}_{}{}", stem, n, file.extension().string()));
+  }
+  return before;
+}
+
 /// What people have changed is not lost.
 void writeKeeping(const std::filesystem::path& file, const std::string& text) {
   if (std::filesystem::exists(file) && readFile(file) != text) {
-    std::filesystem::path before = file;
-    before.replace_filename(file.stem().string() + "_before" + file.extension().string());
+    const std::filesystem::path before = placeForWhatWasThere(file);
     writeFileAtomically(before, readFile(file));
+    spdlog::warn("{} is written anew; what was there is kept in {}", file.string(),
+                 before.string());
   }
   writeFileAtomically(file, text);
 }

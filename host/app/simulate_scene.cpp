@@ -139,7 +139,9 @@ Simulation simulateScene(const Scene& scene, const SceneDesign& designed, RunCon
     stage = stages.runFull(designed, record.inPlane->positions);
     record.printScale = stage.printScale;
     if (designed.targets) {
+      const StageEffort before{stage.equilibrium.iterations, stage.equilibrium.seconds};
       record.inverse = stages.improve(stage, designed);
+      if (record.inverse) record.beforeInverse = before;
       noteOtherWay(record);
       noteSoftness(record);
     }
@@ -177,6 +179,7 @@ Simulation simulateScene(const Scene& scene, const SceneDesign& designed, RunCon
                                       middleLayer(stage.grid.shape, positions));
     noteAsymmetry(record);
   }
+  record.isInterrupted = scene.solve.stopRequested();
   putMostImportantFirst(record.notices);
   const Eigen::Isometry3d targetFromGrid = alignResult(stage, designed.targets);
   return {std::move(record), std::move(stage), targetFromGrid};

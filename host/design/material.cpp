@@ -107,15 +107,18 @@ void applyMaterial(StrutGrid& grid, const MaterialRequest& material) {
   if (const double shortest = shortestLateralRest(grid); 2 * sizes.joint >= shortest) {
     throw InputError(fmt::format(
         "material.joint_radius must be less than half of the shortest strut, {:.3g}, got {:.3g}: "
-        "lower it or material.bar_width",
+        "lower it or material.bar_width (with [print] it is a hub's radius: a larger print.scale "
+        "or fewer grid.nodes_long)",
         shortest / 2, sizes.joint));
   }
   if (const double post = grid.rest.w.front(); 2 * bars.upright.joint >= post) {
-    throw InputError(
-        fmt::format("joints leave nothing of a post that bends: the lower of material.bar_height "
-                    "({:.3g}) and twice material.joint_radius (2 x {:.3g}) must be less than the "
-                    "layers are apart, {:.3g}: lower one, or raise grid.layer_spacing",
-                    sizes.height, sizes.joint, post));
+    throw InputError(fmt::format(
+        "joints leave nothing of a post that bends: the lower of material.bar_height "
+        "({:.3g}) and twice material.joint_radius (2 x {:.3g}) must be less than the "
+        "layers are apart, {:.3g}: lower one, or raise grid.layer_spacing (with [print] "
+        "they are those of struts and hubs: a larger print.scale or fewer "
+        "print.passes)",
+        sizes.height, sizes.joint, post));
   }
   grid.bars = bars;
   grid.bars->loads = jointLoads(grid, material);

@@ -16,7 +16,8 @@ namespace morphgrid {
 /// What a user says about a design besides the mesh.
 struct ProposalRequest {
   std::filesystem::path mesh;
-  double size = 100;              ///< Of the box's longer side, in mm, > 0.
+  /// Of the box's longer side in mm, > 0; where it is left out 100, and prints as large as fits.
+  std::optional<double> size{};
   int nodesLong = 20;             ///< >= 4
   ShrinkRange shrink{0.02, 0.4};  ///< Of the material.
   bool isPapers = false;          ///< Springs and lengths by formula, as in the paper.

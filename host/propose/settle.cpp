@@ -8,6 +8,8 @@
 namespace morphgrid {
 namespace {
 
+constexpr double kSize = 100;  // mm
+
 /// As a mesh configuration's steps do it, one after the other.
 Eigen::Affine3d asStep(const Eigen::Matrix3d& linear, const Eigen::Vector3d& translation) {
   Eigen::Affine3d step = Eigen::Affine3d::Identity();
@@ -46,8 +48,9 @@ SceneProposal settle(const Candidate& candidate, const ProposalRequest& request)
                          .trial = candidate.trial};
   const SamplingBox& box = proposal.seen;
   Placement& placement = proposal.placement;
-  placement = {candidate.rating.sight, middleOf(candidate),
-               roundedToDigits(request.size / std::max(box.uLength, box.vLength), 4)};
+  placement = {
+      candidate.rating.sight, middleOf(candidate),
+      roundedToDigits(request.size.value_or(kSize) / std::max(box.uLength, box.vLength), 4)};
   const double scale = placement.scale;
   proposal.surface.configuration.worldFromMesh = placement.worldFromMesh();
   proposal.surface.box = roundedBox({scale * (box.uStart - placement.center.y()),

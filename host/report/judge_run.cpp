@@ -42,9 +42,12 @@ class Judge {
     if (record_.deviceFailure) {
       add("the device failed");
     }
+    if (record_.isInterrupted) {
+      add("the run was interrupted", "run it to its end, or go on with its --checkpoint");
+    }
     for (const auto* end : {&record_.inPlane, &record_.full}) {
       const std::optional<Equilibrium>& stage = *end;
-      if (!stage) continue;
+      if (!stage || stage->reason == StopReason::interrupted) continue;
       const char* name = end == &record_.full ? "full" : "in-plane";
       if (!stage->converged) {
         add(fmt::format("the simulation did not come to rest ({})", toString(stage->reason)),

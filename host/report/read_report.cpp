@@ -164,6 +164,10 @@ FromFlat readFromFlat(const json& f) {
           number(f.value("seconds", json(0.0)))};
 }
 
+StageEffort readEffort(const json& e) {
+  return {integer<long>(e.at("iterations")), number(e.at("seconds"))};
+}
+
 InverseDesign readInverse(const json& i) {
   InverseDesign inverse;
   for (const json& step : i.at("steps")) {
@@ -302,11 +306,13 @@ RunRecord readRecord(const json& r) {
   record.inPlane = optionally(readEquilibrium, r.at("in_plane"));
   record.printScale = number(r.at("print_scale"));
   record.full = optionally(readEquilibrium, r.at("full"));
+  record.beforeInverse = optionally(readEffort, r.value("before_inverse_design", json()));
   record.inverse = optionally(readInverse, r.at("inverse_design"));
   record.errors = optionally(readErrors, r.at("errors"));
   record.distance = optionally(readDistance, r.at("distance_to_target"));
   record.symmetry = optionally(readSymmetry, r.value("symmetry", json()));
   record.shrink = optionally(readShrink, r.at("shrink"));
+  record.isInterrupted = r.value("interrupted", false);  // Runs of before do not say.
   record.feasibility = optionally(readFeasibility, r.at("feasibility"));
   if (!r.at("device_failure").is_null()) {
     record.deviceFailure = r.at("device_failure").get<std::string>();

@@ -79,6 +79,10 @@ ordered_json toJson(const InverseDesign& inverse) {
           {"steps", std::move(steps)}};
 }
 
+ordered_json toJson(const StageEffort& effort) {
+  return {{"iterations", effort.iterations}, {"seconds", effort.seconds}};
+}
+
 ordered_json toJson(const std::vector<CutoffConsequence>& cutoffs) {
   ordered_json array = ordered_json::array();
   for (const CutoffConsequence& c : cutoffs) {
@@ -283,6 +287,7 @@ std::string toJson(const RunRecord& record) {
       {"bars", orNull(record.bars)},
       {"print", orNull(record.print)},
       {"full", orNull(record.full)},
+      {"before_inverse_design", orNull(record.beforeInverse)},
       {"inverse_design", orNull(record.inverse)},
       {"errors", orNull(record.errors)},
       {"distance_to_target", orNull(record.distance)},
@@ -294,6 +299,7 @@ std::string toJson(const RunRecord& record) {
       {"device_failure",
        record.deviceFailure ? ordered_json(*record.deviceFailure) : ordered_json(nullptr)},
       {"notices", textsOf(record.notices)},
+      {"interrupted", record.isInterrupted},
       {"verdict", toJson(judgeRun(record))}};
   return json.dump(2) + "\n";
 }

@@ -197,6 +197,10 @@ void addInverse(Table& table, const RunRecord& record) {
     table.line(fmt::format("  printed {:.3f} times as large as the in-plane stage left the sheet",
                            record.printScale));
   }
+  if (record.beforeInverse) {
+    table.line(fmt::format("  full:     {}, {:.2f} s", counted(record.beforeInverse->iterations),
+                           record.beforeInverse->seconds));
+  }
   if (record.inverse) {
     const std::vector<InverseStep>& steps = record.inverse->steps;
     const InverseStep& first = steps.front();

@@ -58,6 +58,12 @@ struct GridFigures {
   double bendShrinkPercent;  ///< The largest shrink between layers that the design asks for.
 };
 
+/// What a stage took whose equilibrium a later one has replaced.
+struct StageEffort {
+  long iterations;
+  double seconds;
+};
+
 /// Everything that a run or a check reports; a check has no stages.
 struct RunRecord {
   std::string scene;
@@ -79,8 +85,9 @@ struct RunRecord {
   std::optional<PrintAssessment> print;  ///< Only with [print].
   /// How much the sheet that the in-plane stage left is enlarged, see choosePrintScale().
   double printScale = 1;
-  std::optional<Equilibrium> full;       ///< Not for grids of one layer.
-  std::optional<InverseDesign> inverse;  ///< Its equilibrium is that of `full`.
+  std::optional<Equilibrium> full;           ///< Not for grids of one layer.
+  std::optional<InverseDesign> inverse;      ///< Its equilibrium is that of `full`.
+  std::optional<StageEffort> beforeInverse;  ///< The full stage that it began with.
   std::optional<StrutErrors> errors;
   std::optional<TargetDistance> distance;
   std::optional<SymmetryFigures> symmetry;  ///< Only of targets that are symmetric.
@@ -89,6 +96,7 @@ struct RunRecord {
   std::optional<WeightFigures> weight;  ///< Only with gravity.
   std::optional<Feasibility> feasibility;
   std::optional<PublishedFigures> published;
+  bool isInterrupted = false;                ///< By Ctrl-C: not all that a run does was done.
   std::optional<std::string> deviceFailure;  ///< What the device said when it failed on the way.
   std::vector<Notice> notices;               ///< Of a finished run the most important first.
   /// Files that could not be written and why; known only after the report is.

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <new>
 #include <stdexcept>
 
 namespace morphgrid {
@@ -37,10 +38,9 @@ void* EmbreeMesh::newBuffer(RTCGeometry geometry, RTCBufferType type, RTCFormat 
 
 void EmbreeMesh::throwOnError() const {
   const RTCError error = rtcGetDeviceError(device_.get());
+  if (error == RTC_ERROR_OUT_OF_MEMORY) throw std::bad_alloc();
   if (error != RTC_ERROR_NONE) {
-    throw std::runtime_error(fmt::format(
-        "Embree cannot take the mesh: {}",
-        error == RTC_ERROR_OUT_OF_MEMORY ? "out of memory" : fmt::format("error {}", int(error))));
+    throw std::runtime_error(fmt::format("Embree cannot take the mesh: error {}", int(error)));
   }
 }
 

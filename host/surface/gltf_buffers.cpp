@@ -23,6 +23,16 @@ bool hasScheme(std::string_view uri) {
   return colon != std::string_view::npos && colon > 1 && uri.find('/') > colon;
 }
 
+/// A mesh may come from anybody: it may not tell what else is on the disk. Links are followed; what
+/// cannot be resolved cannot be read either.
+bool isBeside(const std::filesystem::path& file, const std::filesystem::path& mesh) {
+  std::error_code ignored;
+  const auto folder = std::filesystem::weakly_canonical(std::filesystem::absolute(mesh), ignored);
+  const auto within = std::filesystem::weakly_canonical(std::filesystem::absolute(file), ignored)
+                          .lexically_relative(folder.parent_path());
+  return !within.empty() && *within.begin() != "..";
+}
+
 }  // namespace
 
 GltfBuffers::GltfBuffers(const MeshSource& source, const GltfJson& gltf) {
@@ -71,7 +81,12 @@ std::string_view GltfBuffers::contentOfUri(const MeshSource& source, const std::
     throw bufferError(source, index, "its URI is no file's: " + inQuotes(uri));
   }
   const std::filesystem::path file = source.file.parent_path() / decodePercent(uri);
-  std::error_code ignored;  // What cannot be resolved cannot be read either.
+  if (!isBeside(file, source.file)) {
+    throw bufferError(
+        source, index,
+        "its file must lie in the folder of the glTF file or below, got " + inQuotes(uri));
+  }
+  std::error_code ignored;
   auto& kept = contents_[std::filesystem::weakly_canonical(file, ignored).string()];
   if (!kept) kept = std::make_unique<const std::string>(readMeshFile(file));
   return *kept;

@@ -38,8 +38,14 @@ TEST(MeshOnTheCommandLine, KeepsASceneThatWasChanged) {
   EXPECT_EQ(runMorphgrid(command).exitCode, 0);
   EXPECT_FALSE(std::filesystem::exists(folder / "b/bowl_before.toml"));
   folder.write("b/bowl.toml", "# mine\n");
+  const ProcessResult again = runMorphgrid(command);
+  EXPECT_EQ(again.exitCode, 0);
+  EXPECT_THAT(again.output, HasSubstr("bowl_before.toml"));
+  EXPECT_EQ(readFile(folder / "b/bowl_before.toml"), "# mine\n");
+  folder.write("b/bowl.toml", "# mine, too\n");
   EXPECT_EQ(runMorphgrid(command).exitCode, 0);
   EXPECT_EQ(readFile(folder / "b/bowl_before.toml"), "# mine\n");
+  EXPECT_EQ(readFile(folder / "b/bowl_before_2.toml"), "# mine, too\n");
   EXPECT_THAT(readFile(folder / "b/bowl.toml"), HasSubstr("u_length = 5"));
 }
 

@@ -69,6 +69,15 @@ void expectSame(const Scene& scene, const SceneProposal& proposal) {
   EXPECT_EQ(scene.material, proposal.material);
 }
 
+TEST(ProposalText, PrintsAtTheSizeThatIsAskedFor) {
+  SceneProposal proposal = ProposedScene(bowl(6)).proposal();
+  proposal.request.printerFile = "printer.toml";
+  proposal.request.materialFile = "material.toml";
+  EXPECT_THAT(proposalSceneText(proposal, "mesh.toml"), HasSubstr("\n# scale = 1 #"));
+  proposal.request.size = 60;
+  EXPECT_THAT(proposalSceneText(proposal, "mesh.toml"), HasSubstr("\nscale = 1 #"));
+}
+
 TEST(ProposalText, ReadsBackAsTheProposal) {
   const Eigen::Quaterniond tilt(0.8, 0.3, -0.4, 0.2);
   for (const TriangleMesh& mesh : {zUpSaddle(), turned(tilt.normalized(), bowl(6))}) {

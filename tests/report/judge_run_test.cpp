@@ -26,6 +26,16 @@ std::string lineOf(const RunRecord& record) { return judgeRun(record).line(); }
 
 TEST(JudgeRun, NothingWrongIsPrintable) { EXPECT_EQ(lineOf(goodRecord()), "printable: yes"); }
 
+TEST(JudgeRun, AnInterruptedRunIsNotJudgedByWhatItLeft) {
+  RunRecord record = goodRecord();
+  record.isInterrupted = true;
+  record.full->converged = false;
+  record.full->reason = StopReason::interrupted;
+  EXPECT_EQ(lineOf(record),
+            "printable: no, because the run was interrupted (way out: run it to its end, or go on "
+            "with its --checkpoint)");
+}
+
 TEST(JudgeRun, WithoutAPrinterItSaysSo) {
   RunRecord record = goodRecord();
   record.print.reset();

@@ -29,6 +29,7 @@ RunRecord fullRecord() {
                                   {InverseStep::Kind::optimise, 1, 2, 3, 4, 0.5, 5, 6, 7, 2.5}},
                                  "all steps done",
                                  FromFlat{true, 2.25, 0.75, false, 1234, 1.5}};
+  record.beforeInverse = StageEffort{21, 0.5};
   record.distance->diagonal = 17.5;
   record.distance->axisParallelDiagonal = 18.25;
   record.feasibility->cells = {3, 4, -0.5, {5, 6, 2}};
@@ -41,6 +42,7 @@ RunRecord fullRecord() {
   record.bars = BarSizes{0.5, 0.25, 0.75, 0.125};
   record.print = PrintAssessment{
       "a printer", "a material", 1.5, 1.0625, {{"a strut is too long", "fewer nodes"}}};
+  record.isInterrupted = true;
   record.deviceFailure = "lost";
   record.notices = {"one", "two"};
   return record;

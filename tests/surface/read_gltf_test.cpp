@@ -55,6 +55,24 @@ TEST(ReadGltf, ReadsBuffersBesideTheFile) {
               HasSubstr("a.gltf: buffer 0: says that it has 60 bytes, there are 5"));
 }
 
+TEST(ReadGltf, RefusesBuffersThatLieElsewhere) {
+  const TemporaryFolder folder;
+  const auto elsewhere = folder.write("buffer.bin", "short");
+  folder.write("meshes/inside/buffer.bin", squareBytes());
+  std::filesystem::create_symlink(elsewhere, elsewhere.parent_path() / "meshes/link.bin");
+  json gltf = square();
+  for (const std::string uri :
+       {elsewhere.string(), std::string("../buffer.bin"), std::string("%2e%2e/buffer.bin"),
+        std::string("inside/../../buffer.bin"), std::string("link.bin")}) {
+    gltf["buffers"][0]["uri"] = uri;
+    EXPECT_THAT(problemOfFile(folder.write("meshes/a.gltf", gltf.dump())),
+                HasSubstr("a.gltf: buffer 0: its file must lie in the folder of the glTF file"))
+        << uri;
+  }
+  gltf["buffers"][0]["uri"] = "../meshes/inside/buffer.bin";
+  EXPECT_NEAR(areaOf(loadMesh(folder.write("meshes/a.gltf", gltf.dump())).mesh), 1, 1e-12);
+}
+
 TEST(ReadGltf, RefusesUrisThatNameNoFile) {
   json gltf = square();
   for (const std::string uri : {"http://a/b.bin", "blob:0", "data:;base64", "data:;base64,A*AA"}) {
