@@ -106,7 +106,7 @@ build() {
 # Kernels are GLSL and have other extensions; clang-format does not know that language.
 list_cpp_files() {
   local folders=() folder
-  for folder in host tests tools shaders; do
+  for folder in host tests tools shaders docs; do
     [[ -d $root/$folder ]] && folders+=("$root/$folder")
   done
   find "${folders[@]}" -type f '(' -name '*.h' -o -name '*.cpp' ')' -print0 | sort --zero-terminated

@@ -77,9 +77,11 @@ std::vector<std::string> adviseOn(const ShrinkFigures& shrink, const ShrinkRange
     const double largestShrink = 1 - (1 - shrink.largestPercent / 100) / (1 + larger);
     advice.push_back(
         fmt::format("{} of the struts must grow, by up to {:.1f} %, which no shrinking material "
-                    "does: print the "
-                    "sheet that much larger; the largest shrink is then {:.1f} %",
-                    shrink.strutsGrowing, 100 * larger, 100 * largestShrink));
+                    "does: print the sheet that much larger; the largest shrink is then {:.1f} %{}",
+                    shrink.strutsGrowing, 100 * larger, 100 * largestShrink,
+                    largestShrink > range.most
+                        ? fmt::format(", more than the material's {:g} %", 100 * range.most)
+                        : ""));
   }
   if (range.least != 0 && shrink.strutsUnderLeast > 0) {
     advice.push_back(fmt::format(
