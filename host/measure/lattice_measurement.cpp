@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "core/error.h"
+#include "core/parallel_for.h"
 #include "measure/catmull_rom.h"
 
 namespace morphgrid {
@@ -62,6 +63,12 @@ Eigen::RowVectorXd smoothedCurvatures(const Isoline& line, double width) {
   return smoothed;
 }
 
+template <typename Work>
+void forEachLine(int count, const Work& work) {
+  constexpr int kLinesPerRange = 4;
+  parallelFor(count, kLinesPerRange, [&](Eigen::Index line) { work(static_cast<int>(line)); });
+}
+
 /// The lines of a lattice.
 class Isolines {
  public:
@@ -78,6 +85,17 @@ class Isolines {
   Isoline alongU(int j) const { return walk(lattice_.index(0, j), lattice_.countU, 1); }
   Isoline alongV(int i) const {
     return walk(lattice_.index(i, 0), lattice_.countV, lattice_.countU);
+  }
+
+  std::vector<Isoline> allAlongU() const {
+    std::vector<Isoline> lines(static_cast<std::size_t>(lattice_.countV));
+    forEachLine(lattice_.countV, [&](int j) { lines[static_cast<std::size_t>(j)] = alongU(j); });
+    return lines;
+  }
+  std::vector<Isoline> allAlongV() const {
+    std::vector<Isoline> lines(static_cast<std::size_t>(lattice_.countU));
+    forEachLine(lattice_.countU, [&](int i) { lines[static_cast<std::size_t>(i)] = alongV(i); });
+    return lines;
   }
 
  private:
@@ -164,12 +182,8 @@ LatticeSurvey surveyLattice(const PointLattice& lattice, double smoothingWidth,
   DirectionSurvey u;
   DirectionSurvey v;
   CurvatureSamples samples;
-  for (int j = 0; j < lattice.countV; ++j) {
-    add(isolines.alongU(j), u, samples);
-  }
-  for (int i = 0; i < lattice.countU; ++i) {
-    add(isolines.alongV(i), v, samples);
-  }
+  for (const Isoline& line : isolines.allAlongU()) add(line, u, samples);
+  for (const Isoline& line : isolines.allAlongV()) add(line, v, samples);
   return {makeSurvey(u, v, std::move(samples.magnitudes)), median(std::move(samples.differences))};
 }
 
@@ -180,22 +194,24 @@ SurfaceMeasurement measureLattice(const PointLattice& lattice, double curvatureL
   const Isolines isolines(lattice, kSamplesPerStrut, smoothingWidth, cancellation);
   SurfaceMeasurement measurement{nodesU, nodesV, LateralField<double>(nodesU, nodesV),
                                  LateralField<double>(nodesU, nodesV), lattice.points};
-  for (int j = 0; j <= nodesV; ++j) {
+  LateralField<double>& chords = measurement.chords;
+  LateralField<double>& curvatures = measurement.curvatures;
+  forEachLine(nodesV + 1, [&](int j) {
     const Isoline line = isolines.alongU(j);
-    const Eigen::RowVectorXd curvatures = cappedMeans(line, curvatureLimit);
+    const Eigen::RowVectorXd means = cappedMeans(line, curvatureLimit);
     for (int i = 0; i < nodesU; ++i) {
-      measurement.chords.u(i, j) = line.chords[i];
-      measurement.curvatures.u(i, j) = curvatures[i];
+      chords.u(i, j) = line.chords[i];
+      curvatures.u(i, j) = means[i];
     }
-  }
-  for (int i = 0; i <= nodesU; ++i) {
+  });
+  forEachLine(nodesU + 1, [&](int i) {
     const Isoline line = isolines.alongV(i);
-    const Eigen::RowVectorXd curvatures = cappedMeans(line, curvatureLimit);
+    const Eigen::RowVectorXd means = cappedMeans(line, curvatureLimit);
     for (int j = 0; j < nodesV; ++j) {
-      measurement.chords.v(i, j) = line.chords[j];
-      measurement.curvatures.v(i, j) = curvatures[j];
+      chords.v(i, j) = line.chords[j];
+      curvatures.v(i, j) = means[j];
     }
-  }
+  });
   return measurement;
 }
 

@@ -6,7 +6,9 @@
 #include <cmath>
 
 #include "core/error.h"
+#include "core/parallel_for.h"
 #include "grid/strut_grid.h"
+#include "measure/net.h"
 
 namespace morphgrid {
 namespace {
@@ -14,6 +16,8 @@ namespace {
 constexpr int kSurveyIsolines = 100;
 constexpr int kSurveySamples = 1000;
 constexpr int kCurvatureSamplesPerStrut = 100;
+constexpr int kIsolinesPerRange = 4;
+constexpr int kPointsPerRange = 4096;
 
 enum class Direction { u, v };
 
@@ -22,41 +26,44 @@ Eigen::Vector3d pointOn(const Surface& surface, Direction along, double t, doubl
   return along == Direction::u ? surface.point(t, s) : surface.point(s, t);
 }
 
-double curvatureOn(const Surface& surface, Direction along, double t, double s) {
-  return along == Direction::u ? surface.curvatureAlongU(t, s) : surface.curvatureAlongV(s, t);
+Eigen::ArrayXd curvaturesOn(const Surface& surface, Direction along, const Eigen::ArrayXd& t,
+                            double s) {
+  return along == Direction::u ? surface.curvaturesAlongU(t, s) : surface.curvaturesAlongV(s, t);
+}
+
+double lengthOf(const Surface& surface, Direction along, const Eigen::ArrayXd& t, double s) {
+  double length = 0;
+  Eigen::Vector3d previous = pointOn(surface, along, t[0], s);
+  for (const double place : t) {
+    const Eigen::Vector3d current = pointOn(surface, along, place, s);
+    length += (current - previous).norm();
+    previous = current;
+  }
+  return length;
 }
 
 DirectionSurvey surveyDirection(const Surface& surface, Direction along,
-                                const Cancellation& cancellation, std::vector<double>& curvatures) {
-  DirectionSurvey survey;
-  for (int line = 0; line < kSurveyIsolines; ++line) {
+                                const Cancellation& cancellation,
+                                Eigen::Ref<Eigen::ArrayXXd> curvatures) {
+  const Eigen::ArrayXd t = Eigen::ArrayXd::LinSpaced(kSurveySamples, 0, 1);
+  Eigen::ArrayXd lengths(kSurveyIsolines);
+  parallelFor(kSurveyIsolines, kIsolinesPerRange, [&](Eigen::Index line) {
     cancellation.check();
     const double s = double(line) / (kSurveyIsolines - 1);
-    double length = 0;
-    Eigen::Vector3d previous = pointOn(surface, along, 0, s);
-    for (int sample = 0; sample < kSurveySamples; ++sample) {
-      const double t = double(sample) / (kSurveySamples - 1);
-      const Eigen::Vector3d current = pointOn(surface, along, t, s);
-      length += (current - previous).norm();
-      previous = current;
-      const double curvature = std::abs(curvatureOn(surface, along, t, s));
-      survey.largestCurvature = std::max(survey.largestCurvature, curvature);
-      curvatures.push_back(curvature);
-    }
-    survey.longestIsoline = std::max(survey.longestIsoline, length);
-  }
-  return survey;
+    lengths[line] = lengthOf(surface, along, t, s);
+    curvatures.col(line) = curvaturesOn(surface, along, t, s).abs();
+  });
+  return {lengths.maxCoeff(), curvatures.maxCoeff()};
 }
 
-/// Mean of the capped curvature over the strut from t0 to t1.
-double meanCurvature(const Surface& surface, Direction along, double t0, double t1, double s,
-                     double limit) {
-  double sum = 0;
-  for (int sample = 0; sample < kCurvatureSamplesPerStrut; ++sample) {
-    const double share = (sample + 0.5) / kCurvatureSamplesPerStrut;
-    sum += std::clamp(curvatureOn(surface, along, t0 + share * (t1 - t0), s), -limit, limit);
-  }
-  return sum / kCurvatureSamplesPerStrut;
+/// Of each of `count` struts of an isoline the mean of the capped curvature.
+Eigen::ArrayXd meanCurvatures(const Surface& surface, Direction along, int count, double s,
+                              double limit) {
+  const Eigen::Index samples = Eigen::Index{kCurvatureSamplesPerStrut} * count;
+  const Eigen::ArrayXd t =
+      (Eigen::ArrayXd::LinSpaced(samples, 0, double(samples - 1)) + 0.5) / double(samples);
+  const Eigen::ArrayXd capped = curvaturesOn(surface, along, t, s).max(-limit).min(limit);
+  return capped.reshaped(kCurvatureSamplesPerStrut, count).colwise().mean().transpose();
 }
 
 }  // namespace
@@ -73,10 +80,12 @@ SurfaceSurvey makeSurvey(const DirectionSurvey& u, const DirectionSurvey& v,
 }
 
 SurfaceSurvey surveySurface(const Surface& surface, const Cancellation& cancellation) {
-  std::vector<double> curvatures;
-  curvatures.reserve(2 * kSurveyIsolines * kSurveySamples);
-  const DirectionSurvey u = surveyDirection(surface, Direction::u, cancellation, curvatures);
-  const DirectionSurvey v = surveyDirection(surface, Direction::v, cancellation, curvatures);
+  std::vector<double> curvatures(2 * kSurveyIsolines * kSurveySamples);
+  Eigen::Map<Eigen::ArrayXXd> samples(curvatures.data(), kSurveySamples, 2 * kSurveyIsolines);
+  const DirectionSurvey u =
+      surveyDirection(surface, Direction::u, cancellation, samples.leftCols(kSurveyIsolines));
+  const DirectionSurvey v =
+      surveyDirection(surface, Direction::v, cancellation, samples.rightCols(kSurveyIsolines));
   return makeSurvey(u, v, std::move(curvatures));
 }
 
@@ -87,42 +96,41 @@ double curvatureAtCutoff(const SurfaceSurvey& survey, double cutoff) {
 
 Eigen::Matrix3Xd pointsAt(const Surface& surface, const Eigen::Matrix2Xd& parameters) {
   Eigen::Matrix3Xd points(3, parameters.cols());
-  for (Eigen::Index n = 0; n < points.cols(); ++n) {
+  parallelFor(points.cols(), kPointsPerRange, [&](Eigen::Index n) {
     points.col(n) = surface.point(parameters(0, n), parameters(1, n));
-  }
+  });
   return points;
 }
 
 Eigen::Matrix3Xd normalsAt(const Surface& surface, const Eigen::Matrix2Xd& parameters) {
   Eigen::Matrix3Xd normals(3, parameters.cols());
-  for (Eigen::Index n = 0; n < normals.cols(); ++n) {
+  parallelFor(normals.cols(), kPointsPerRange, [&](Eigen::Index n) {
     normals.col(n) = surface.normal(parameters(0, n), parameters(1, n));
-  }
+  });
   return normals;
 }
 
 SurfaceMeasurement measureSurface(const Surface& surface, int nodesU, int nodesV,
                                   double curvatureLimit, const Cancellation& cancellation) {
+  const Net net = isolineNet(nodesU, nodesV);
   SurfaceMeasurement measurement{nodesU, nodesV, LateralField<double>(nodesU, nodesV),
                                  LateralField<double>(nodesU, nodesV),
-                                 Eigen::Matrix3Xd(3, (nodesU + 1) * (nodesV + 1))};
-  Eigen::Matrix3Xd& points = measurement.points;
-  const GridShape layer = measurement.chords.shape();
-  const auto parameterU = [&](int i) { return double(i) / nodesU; };
-  const auto parameterV = [&](int j) { return double(j) / nodesV; };
-  forEachVertex(layer, [&](const GridPlace& place) {
-    points.col(layer.index(place)) = surface.point(parameterU(place.i), parameterV(place.j));
+                                 pointsAt(surface, net.parameters)};
+  forEachLateralStrut(net.shape(), [&](const Strut& strut) {
+    measurement.chords.at(strut) = lengthAt(measurement.points, strut);
   });
-  forEachLateralStrut(layer, [&](const Strut& strut) {
+  LateralField<double>& curvatures = measurement.curvatures;
+  parallelFor(nodesV + 1, kIsolinesPerRange, [&](Eigen::Index j) {
     cancellation.check();
-    const auto [i, j, bottom] = layer.place(strut.from);
-    measurement.chords.at(strut) = lengthAt(points, strut);
-    measurement.curvatures.at(strut) =
-        strut.direction == Strut::Direction::u
-            ? meanCurvature(surface, Direction::u, parameterU(i), parameterU(i + 1), parameterV(j),
-                            curvatureLimit)
-            : meanCurvature(surface, Direction::v, parameterV(j), parameterV(j + 1), parameterU(i),
-                            curvatureLimit);
+    const Eigen::ArrayXd means =
+        meanCurvatures(surface, Direction::u, nodesU, double(j) / nodesV, curvatureLimit);
+    for (int i = 0; i < nodesU; ++i) curvatures.u(i, static_cast<int>(j)) = means[i];
+  });
+  parallelFor(nodesU + 1, kIsolinesPerRange, [&](Eigen::Index i) {
+    cancellation.check();
+    const Eigen::ArrayXd means =
+        meanCurvatures(surface, Direction::v, nodesV, double(i) / nodesU, curvatureLimit);
+    for (int j = 0; j < nodesV; ++j) curvatures.v(static_cast<int>(i), j) = means[j];
   });
   return measurement;
 }

@@ -6,6 +6,7 @@
 
 #include "core/bounding_diagonal.h"
 #include "core/intrinsic_diagonal.h"
+#include "core/parallel_for.h"
 #include "core/rigid_alignment.h"
 #include "surface/closest_point.h"
 
@@ -13,6 +14,8 @@ namespace morphgrid {
 namespace {
 
 using Eigen::Matrix3Xd;
+
+constexpr int kPointsPerRange = 512;
 
 double meanAngleErrorPercent(const GridShape& shape, const Matrix3Xd& x) {
   double sum = 0;
@@ -67,9 +70,9 @@ TargetDistance computeTargetDistance(const Matrix3Xd& middle, const Matrix3Xd& t
                           boundingDiagonal(targets)};
   if (closestPoints) {
     Eigen::VectorXd closest(aligned.cols());
-    for (Eigen::Index n = 0; n < aligned.cols(); ++n) {
+    parallelFor(aligned.cols(), kPointsPerRange, [&](Eigen::Index n) {
       closest[n] = 100 / diagonal * closestPoints->distance(aligned.col(n));
-    }
+    });
     distance.closest = {rootMeanSquare(closest), closest.maxCoeff(), spreadOf(closest)};
   }
   return distance;

@@ -112,13 +112,17 @@ Vector3d BezierPatch::point(double u, double v) const {
   return combine(controlPoints_, bernstein(u), bernstein(v));
 }
 
+bool BezierPatch::hasArea(const Vector3d& cross) const {
+  return cross.norm() > kDegenerate * size_ * size_;
+}
+
 Vector3d BezierPatch::normal(double u, double v) const {
   // A second try further inside finds the frame that a collapsed edge or corner lacks.
   for (int attempt = 0; attempt < 2; ++attempt) {
     const Vector3d alongU = combine(controlPoints_, bernsteinFirst(u), bernstein(v));
     const Vector3d alongV = combine(controlPoints_, bernstein(u), bernsteinFirst(v));
     const Vector3d cross = alongU.cross(alongV);
-    if (cross.norm() > kDegenerate * size_ * size_) {
+    if (hasArea(cross)) {
       return cross.normalized();
     }
     u = inward(u);
@@ -127,29 +131,68 @@ Vector3d BezierPatch::normal(double u, double v) const {
   return Vector3d::UnitZ();
 }
 
-/// derivative(basis, t): of the isoline, with `basis` along it at t. t: where on it the point lies.
-template <typename Derivative>
-double BezierPatch::isolineCurvature(Derivative derivative, double t,
-                                     const Vector3d& normal) const {
-  if (derivative(bernsteinFirst, t).norm() <= kDegenerate * size_) {
-    t = inward(t);
+/// An isoline as a cubic in the parameter along it, and the patch's derivative across it.
+struct BezierPatch::Isoline {
+  Eigen::Matrix<double, 3, 4> points;
+  Eigen::Matrix<double, 3, 4> across;
+};
+
+BezierPatch::Isoline BezierPatch::isolineAlongU(double v) const {
+  const Vector4d basis = bernstein(v);
+  const Vector4d basisAcross = bernsteinFirst(v);
+  Isoline line{Eigen::Matrix<double, 3, 4>::Zero(), Eigen::Matrix<double, 3, 4>::Zero()};
+  for (int j = 0; j < 4; ++j) {
+    for (int i = 0; i < 4; ++i) {
+      line.points.col(i) += basis[j] * controlPoints_[j][i];
+      line.across.col(i) += basisAcross[j] * controlPoints_[j][i];
+    }
   }
-  return signedCurvature(derivative(bernsteinFirst, t), derivative(bernsteinSecond, t), normal,
-                         size_);
+  return line;
 }
 
-double BezierPatch::curvatureAlongU(double u, double v) const {
-  const auto derivative = [&](auto basis, double t) {
-    return combine(controlPoints_, basis(t), bernstein(v));
-  };
-  return isolineCurvature(derivative, u, normal(u, v));
+BezierPatch::Isoline BezierPatch::isolineAlongV(double u) const {
+  const Vector4d basis = bernstein(u);
+  const Vector4d basisAcross = bernsteinFirst(u);
+  Isoline line{Eigen::Matrix<double, 3, 4>::Zero(), Eigen::Matrix<double, 3, 4>::Zero()};
+  for (int j = 0; j < 4; ++j) {
+    for (int i = 0; i < 4; ++i) {
+      line.points.col(j) += basis[i] * controlPoints_[j][i];
+      line.across.col(j) += basisAcross[i] * controlPoints_[j][i];
+    }
+  }
+  return line;
 }
 
-double BezierPatch::curvatureAlongV(double u, double v) const {
-  const auto derivative = [&](auto basis, double t) {
-    return combine(controlPoints_, bernstein(u), basis(t));
-  };
-  return isolineCurvature(derivative, v, normal(u, v));
+/// normalOf(first): the patch's normal at t, where the isoline has that first derivative.
+template <typename NormalOf>
+double BezierPatch::curvatureAt(const Isoline& line, double t, const NormalOf& normalOf) const {
+  Vector3d first = line.points * bernsteinFirst(t);
+  const Vector3d normal = normalOf(first);
+  if (first.norm() <= kDegenerate * size_) {
+    t = inward(t);
+    first = line.points * bernsteinFirst(t);
+  }
+  return signedCurvature(first, line.points * bernsteinSecond(t), normal, size_);
+}
+
+Eigen::ArrayXd BezierPatch::curvaturesAlongU(const Eigen::ArrayXd& u, double v) const {
+  const Isoline line = isolineAlongU(v);
+  return u.unaryExpr([&](double t) {
+    return curvatureAt(line, t, [&](const Vector3d& first) {
+      const Vector3d cross = first.cross(line.across * bernstein(t));
+      return hasArea(cross) ? cross.normalized() : normal(t, v);
+    });
+  });
+}
+
+Eigen::ArrayXd BezierPatch::curvaturesAlongV(double u, const Eigen::ArrayXd& v) const {
+  const Isoline line = isolineAlongV(u);
+  return v.unaryExpr([&](double t) {
+    return curvatureAt(line, t, [&](const Vector3d& first) {
+      const Vector3d cross = Vector3d(line.across * bernstein(t)).cross(first);
+      return hasArea(cross) ? cross.normalized() : normal(u, t);
+    });
+  });
 }
 
 }  // namespace morphgrid

@@ -16,14 +16,20 @@ class BezierPatch : public Surface {
 
   Eigen::Vector3d point(double u, double v) const override;
   Eigen::Vector3d normal(double u, double v) const override;
-  double curvatureAlongU(double u, double v) const override;
-  double curvatureAlongV(double u, double v) const override;
+  Eigen::ArrayXd curvaturesAlongU(const Eigen::ArrayXd& u, double v) const override;
+  Eigen::ArrayXd curvaturesAlongV(double u, const Eigen::ArrayXd& v) const override;
 
   const ControlPoints& controlPoints() const { return controlPoints_; }
 
  private:
-  template <typename Derivative>
-  double isolineCurvature(Derivative derivative, double t, const Eigen::Vector3d& normal) const;
+  struct Isoline;
+
+  Isoline isolineAlongU(double v) const;
+  Isoline isolineAlongV(double u) const;
+  /// Whether the product of the tangents along u and v tells a normal.
+  bool hasArea(const Eigen::Vector3d& cross) const;
+  template <typename NormalOf>
+  double curvatureAt(const Isoline& line, double t, const NormalOf& normalOf) const;
 
   ControlPoints controlPoints_;
   double size_;  ///< Diagonal of the control points' box, > 0.

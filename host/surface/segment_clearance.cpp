@@ -6,12 +6,15 @@
 #include <cmath>
 #include <limits>
 
+#include "core/parallel_for.h"
 #include "surface/embree_neighbourhood.h"
 
 namespace morphgrid {
 namespace {
 
 using Kernel = CGAL::Simple_cartesian<double>;
+
+constexpr int kSegmentsPerRange = 1024;
 
 /// Embree has no segments without thickness: triangles with two corners at one place stand for
 /// them.
@@ -31,13 +34,13 @@ bool shareEnd(const Eigen::Vector2i& a, const Eigen::Vector2i& b) {
 Eigen::VectorXd segmentClearances(const Eigen::Matrix3Xd& points, const Matrix2Xi& segments,
                                   double reach) {
   const EmbreeNeighbourhood neighbourhood(points, asTriangles(segments));
-  const auto segment = [&](int index) {
+  const auto segment = [&](Eigen::Index index) {
     const Eigen::Vector3d a = points.col(segments(0, index));
     const Eigen::Vector3d b = points.col(segments(1, index));
     return Kernel::Segment_3({a.x(), a.y(), a.z()}, {b.x(), b.y(), b.z()});
   };
   Eigen::VectorXd clearances(segments.cols());
-  for (int index = 0; index < segments.cols(); ++index) {
+  parallelFor(segments.cols(), kSegmentsPerRange, [&](Eigen::Index index) {
     const Eigen::Vector3d from = points.col(segments(0, index));
     const Eigen::Vector3d to = points.col(segments(1, index));
     const double halfLength = (to - from).norm() / 2;
@@ -50,7 +53,7 @@ Eigen::VectorXd segmentClearances(const Eigen::Matrix3Xd& points, const Matrix2X
       return halfLength + closest;
     });
     clearances[index] = closest < reach ? closest : std::numeric_limits<double>::infinity();
-  }
+  });
   return clearances;
 }
 

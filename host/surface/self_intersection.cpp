@@ -5,12 +5,15 @@
 
 #include <Eigen/Geometry>
 
+#include "core/parallel_for.h"
 #include "surface/embree_neighbourhood.h"
 
 namespace morphgrid {
 namespace {
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+
+constexpr int kTrianglesPerRange = 1024;
 
 class TriangleSoup {
  public:
@@ -61,17 +64,21 @@ std::vector<int> findSelfIntersections(const Eigen::Matrix3Xd& vertices,
                                        const Eigen::Matrix3Xi& triangles) {
   const TriangleSoup soup(vertices, triangles);
   const EmbreeNeighbourhood neighbourhood(vertices, triangles);
-  std::vector<int> found;
-  for (int index = 0; index < triangles.cols(); ++index) {
+  std::vector<char> isCut(static_cast<std::size_t>(triangles.cols()));
+  parallelFor(triangles.cols(), kTrianglesPerRange, [&](Eigen::Index n) {
+    const int index = static_cast<int>(n);
     const Eigen::AlignedBox3d box = soup.boxOf(index);
+    const double radius = box.diagonal().norm() / 2;
     bool cut = false;
-    neighbourhood.visit(box.center(), box.diagonal().norm() / 2, [&](int other) {
+    neighbourhood.visit(box.center(), radius, [&](int other) {
       cut = cut || soup.cut(index, other);
-      return cut ? 0 : box.diagonal().norm() / 2;
+      return cut ? 0 : radius;
     });
-    if (cut) {
-      found.push_back(index);
-    }
+    isCut[static_cast<std::size_t>(n)] = cut ? 1 : 0;
+  });
+  std::vector<int> found;
+  for (std::size_t n = 0; n < isCut.size(); ++n) {
+    if (isCut[n] != 0) found.push_back(static_cast<int>(n));
   }
   return found;
 }

@@ -20,8 +20,10 @@ class Cylinder : public Surface {
   Eigen::Vector3d normal(double u, double) const override {
     return {-std::sin(u * angle_), 0, std::cos(u * angle_)};
   }
-  double curvatureAlongU(double, double) const override { return 1 / radius_; }
-  double curvatureAlongV(double, double) const override { return 0; }
+  Eigen::ArrayXd curvaturesAlongU(const Eigen::ArrayXd& u, double) const override {
+    return Eigen::ArrayXd::Constant(u.size(), 1 / radius_);
+  }
+  Eigen::ArrayXd curvaturesAlongV(double, const Eigen::ArrayXd& v) const override { return 0 * v; }
 
  private:
   double radius_, angle_, length_;

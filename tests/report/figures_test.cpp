@@ -16,8 +16,8 @@ class Plane : public Surface {
  public:
   Eigen::Vector3d point(double u, double v) const override { return {u, v, 0}; }
   Eigen::Vector3d normal(double, double) const override { return Eigen::Vector3d::UnitZ(); }
-  double curvatureAlongU(double, double) const override { return 0; }
-  double curvatureAlongV(double, double) const override { return 0; }
+  Eigen::ArrayXd curvaturesAlongU(const Eigen::ArrayXd& u, double) const override { return 0 * u; }
+  Eigen::ArrayXd curvaturesAlongV(double, const Eigen::ArrayXd& v) const override { return 0 * v; }
 };
 
 const ClosestPointQuery& plane() {
