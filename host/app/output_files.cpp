@@ -18,6 +18,24 @@ void OutputFiles::write(const std::string& name,
 
 void OutputFiles::writeAt(const std::filesystem::path& file,
                           const std::function<void(const std::filesystem::path&)>& write) {
+  finish();
+  writeNow(file, write);
+}
+
+void OutputFiles::writeMeanwhile(const std::string& name,
+                                 std::function<void(const std::filesystem::path&)> write) {
+  finish();
+  meanwhile_ = std::async(
+      std::launch::async,
+      [this, file = folder_ / name, write = std::move(write)] { writeNow(file, write); });
+}
+
+void OutputFiles::finish() {
+  if (meanwhile_.valid()) meanwhile_.get();
+}
+
+void OutputFiles::writeNow(const std::filesystem::path& file,
+                           const std::function<void(const std::filesystem::path&)>& write) {
   tell(file);
   try {
     write(file);

@@ -2,6 +2,7 @@
 #include <chrono>
 #include <filesystem>
 #include <functional>
+#include <future>
 #include <string>
 #include <vector>
 
@@ -24,6 +25,12 @@ class OutputFiles {
   /// The same of a file anywhere.
   void writeAt(const std::filesystem::path& file,
                const std::function<void(const std::filesystem::path&)>& write);
+  /// As write(), while the caller goes on, one file at a time. write: owns what it writes; what it
+  /// throws beside the above is thrown by the next call.
+  void writeMeanwhile(const std::string& name,
+                      std::function<void(const std::filesystem::path&)> write);
+  /// Waits for the last of these: to be called before written() and lost().
+  void finish();
 
   /// In the order of writing.
   const std::vector<std::filesystem::path>& written() const { return written_; }
@@ -31,6 +38,8 @@ class OutputFiles {
   const std::vector<std::string>& lost() const { return lost_; }
 
  private:
+  void writeNow(const std::filesystem::path& file,
+                const std::function<void(const std::filesystem::path&)>& write);
   void tell(const std::filesystem::path& file);
 
   std::filesystem::path folder_;
@@ -39,6 +48,7 @@ class OutputFiles {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
   std::vector<std::filesystem::path> written_;
   std::vector<std::string> lost_;
+  std::future<void> meanwhile_;  ///< Last: it uses all of the above.
 };
 
 }  // namespace morphgrid

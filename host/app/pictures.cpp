@@ -72,28 +72,27 @@ void Pictures::drawStacked(const DeviceGrid& deviceGrid, const Eigen::Matrix3Xd&
   drawFlat("stacked", "stacked: all layers, before the morph", deviceGrid, positions);
 }
 
-void Pictures::drawShrink(const StrutGrid& stacked, const ShrinkBounds& bounds) const {
+void Pictures::drawShrink(const StrutGrid& stacked, const ShrinkBounds& bounds) {
   const StrutGrid layers = spreadLayers(stacked, size_.aspect());
   const DeviceGrid deviceGrid(device_, layers);
   const Camera camera = frame(layers.positions, kTopView);
-  show_("shrink", {drawStrutShares(device_, deviceGrid, computeShrinkShares(stacked, bounds),
-                                   camera, size_.width, size_.height),
-                   fmt::format("shrink: layers side by side, bottom first; 100 % is {}",
-                               bounds.hubDiameter > 0
-                                   ? std::string("what each strut can")
-                                   : fmt::format("the allowed {:g} %", 100 * bounds.material.most)),
-                   shrinkLegend(), scaleBar(camera, layers.positions)});
+  show_("shrink",
+        {renderer_.drawStrutShares(deviceGrid, computeShrinkShares(stacked, bounds), camera),
+         fmt::format("shrink: layers side by side, bottom first; 100 % is {}",
+                     bounds.hubDiameter > 0
+                         ? std::string("what each strut can")
+                         : fmt::format("the allowed {:g} %", 100 * bounds.material.most)),
+         shrinkLegend(), scaleBar(camera, layers.positions)});
 }
 
 void Pictures::drawDistance(const PlacedGrid& result, const DeviceGrid& target,
                             const Eigen::Matrix3Xd& alignedMiddle, const Eigen::Matrix3Xd& targets,
-                            const Camera& camera) const {
+                            const Camera& camera) {
   const Eigen::VectorXd distances = (alignedMiddle - targets).colwise().norm();
   const double largest = distances.maxCoeff();
   const double diagonal = intrinsicDiagonal(targets);
-  show_("distance", {drawSurfaceShares(device_, result, distances / (largest > 0 ? largest : 1),
-                                       {target, Eigen::Isometry3d::Identity()}, camera, size_.width,
-                                       size_.height),
+  show_("distance", {renderer_.drawSurfaceShares(result, distances / (largest > 0 ? largest : 1),
+                                                 {target, Eigen::Isometry3d::Identity()}, camera),
                      "distance to the overlaid target: % of its diagonal, and length",
                      distanceLegend(largest, 100 * largest / diagonal), scaleBar(camera, targets)});
 }

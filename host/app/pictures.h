@@ -4,7 +4,6 @@
 #include <string>
 
 #include "grid/shrink.h"
-#include "render/draw_shares.h"
 #include "render/sheet.h"
 #include "render/strain_renderer.h"
 #include "surface/mesh_ray_caster.h"
@@ -35,7 +34,7 @@ class Pictures {
 
   /// The lateral struts of the printed layers, drawn apart, by how much of what they can shrink
   /// they use (shrink).
-  void drawShrink(const StrutGrid& stacked, const ShrinkBounds& bounds) const;
+  void drawShrink(const StrutGrid& stacked, const ShrinkBounds& bounds);
 
   /// The morphed struts (warped), the surface of the middle layer (surface) and, where there is a
   /// target, that (target) and the distance to it (distance), all seen by the same camera.
@@ -50,7 +49,7 @@ class Pictures {
   Camera frame(const Eigen::Matrix3Xd& points, const View& view) const;
   void drawDistance(const PlacedGrid& result, const DeviceGrid& target,
                     const Eigen::Matrix3Xd& alignedMiddle, const Eigen::Matrix3Xd& targets,
-                    const Camera& camera) const;
+                    const Camera& camera);
 
   const Device& device_;
   SceneSize size_;

@@ -25,8 +25,11 @@
 namespace morphgrid {
 namespace {
 
-constexpr double kFarOff = 1;          // % of the diagonal: then what would help is looked for.
-constexpr int kSurfaceRefinement = 4;  // Cells per grid cell, along u and v, of the surface files.
+constexpr double kFarOff = 1;  // % of the diagonal: then what would help is looked for.
+// Of the surface files: cells per grid cell, along u and v, up to so many triangles. The surface is
+// smooth between vertices, which only a coarse grid shows.
+constexpr int kFinestRefinement = 4;
+constexpr int kMostRefinedFaces = 1000000;
 
 // After Ctrl-C; report and state are written by then, and small files take no time.
 constexpr double kSecondsForResults = 1;
@@ -118,6 +121,7 @@ void writeResults(const Scene& scene, const SceneDesign& designed, Simulation& s
   if (isInterrupted) {
     endIn(std::max(kSecondsForResults - secondsSinceInterrupt(), kLeastSecondsForResults));
   }
+  simulation.stage.onDevice.reset();  // Its memory is for files now.
   exportFiles(simulation, designed.targets, scene.files, files);
   if (!isInterrupted) {
     const Target* target = designed.target.get();
@@ -126,6 +130,30 @@ void writeResults(const Scene& scene, const SceneDesign& designed, Simulation& s
     simulation.record.notices.emplace_back(kOnlyReportIsWritten);
   }
   endIn(0);
+}
+
+int faceCount(const GridShape& shape, int refinement) {
+  return 2 * refinement * refinement * shape.layerCellCount();
+}
+
+int surfaceRefinement(const GridShape& shape) {
+  int refinement = kFinestRefinement;
+  while (refinement > 1 && faceCount(shape, refinement) > kMostRefinedFaces) --refinement;
+  return refinement;
+}
+
+/// Whether OBJ is asked for, but the surface has too many faces for it.
+bool isTooLargeForObj(const GridShape& shape, const FileChoices& choices) {
+  return choices.obj && faceCount(shape, surfaceRefinement(shape)) > choices.mostObjFaces;
+}
+
+void noteFilesLeftOut(const GridShape& shape, const FileChoices& choices, RunRecord& record) {
+  if (isTooLargeForObj(shape, choices)) {
+    record.notices.push_back(
+        fmt::format("surface.obj is left out: {} triangles are more than output.most_obj_faces = "
+                    "{}; surface.ply holds them",
+                    faceCount(shape, surfaceRefinement(shape)), choices.mostObjFaces));
+  }
 }
 
 std::vector<std::string> leversOf(const Scene& scene, const SceneDesign& designed,
@@ -146,11 +174,13 @@ void exportFiles(const Simulation& result, const std::optional<Eigen::Matrix3Xd>
   const GridShape& shape = stage.grid.shape;
   const Eigen::Matrix3Xd positions = result.targetFromGrid * stage.equilibrium.positions;
   const JointRotations rotations = moveJoints(result.targetFromGrid, stage.equilibrium.rotations);
-  const SurfaceMesh surface = tessellate(shape, middleLayer(shape, positions), kSurfaceRefinement);
+  const SurfaceMesh surface =
+      tessellate(shape, middleLayer(shape, positions), surfaceRefinement(shape));
   const auto writeIf = [&](bool isChosen, const char* name, const auto& write) {
     if (isChosen) files.write(name, write);
   };
-  writeIf(choices.obj, "surface.obj", [&](const auto& path) { exportObj(path, surface); });
+  writeIf(choices.obj && !isTooLargeForObj(shape, choices), "surface.obj",
+          [&](const auto& path) { exportObj(path, surface); });
   writeIf(choices.ply, "surface.ply", [&](const auto& path) { exportPly(path, surface); });
   writeIf(choices.vtu, "warped.vtu",
           [&](const auto& path) { exportVtu(path, stage.grid, positions, rotations); });
@@ -183,7 +213,9 @@ RunRecord runScene(const Scene& scene, const RunOptions& options) {
   const PictureOptions picture{.width = scene.pictures.width, .height = scene.pictures.height};
   RunContext context = createRunContext(
       scene, designed, device, picture, [&](const std::string& name, const Panel& panel) {
-        files.write(name + ".png", [&](const auto& path) { writePicture(path, panel, picture); });
+        files.writeMeanwhile(name + ".png", [panel, picture](const auto& path) {
+          writePicture(path, panel, picture);
+        });
       });
   if (scene.solve.stopRequested()) {
     throw Cancelled();
@@ -197,6 +229,7 @@ RunRecord runScene(const Scene& scene, const RunOptions& options) {
     record.deviceFailure = context.failure;
     const std::vector<std::string> levers = leversOf(scene, designed, record);
     record.notices.insert(record.notices.end(), levers.begin(), levers.end());
+    noteFilesLeftOut(simulation.stage.grid.shape, scene.files, record);
     record.secondsTotal =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     writeReport(scene, designed, simulation, files);
@@ -204,6 +237,7 @@ RunRecord runScene(const Scene& scene, const RunOptions& options) {
   writeResults(scene, designed, simulation, context, files);
   context.requireSilence();
   if (context.failure) record.deviceFailure = context.failure;
+  files.finish();
   record.isInterrupted = scene.solve.stopRequested();
   record.lostFiles = files.lost();
   return std::move(record);

@@ -40,6 +40,7 @@ struct FileChoices {
   bool vtu = true;
   bool ply = true;
   bool obj = true;
+  int mostObjFaces = 1000000;  ///< A surface of more is left out.
   bool state = true;
 };
 

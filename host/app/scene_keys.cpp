@@ -8,6 +8,7 @@ namespace {
 
 const std::vector<std::size_t> kMeasuredSurfaces{0, 1};
 constexpr IntegerRange kPixels{64, 8192};
+constexpr IntegerRange kFaces{0, 2000000000};
 
 // Far beyond what a grid that converges needs: tens of cycles, thousands of simple iterations.
 constexpr long kCycleLimit = 5000;
@@ -124,6 +125,10 @@ SceneKeySection outputKeys() {
               formatKey("vtu", &FileChoices::vtu, "Whether to write VTK's unstructured grid."),
               formatKey("ply", &FileChoices::ply, "Whether to write PLY."),
               formatKey("obj", &FileChoices::obj, "Whether to write OBJ."),
+              {.name = "most_obj_faces",
+               .value = integerKey(at(&Scene::files, &FileChoices::mostObjFaces), kFaces),
+               .meaning = "A surface of more triangles is not written as OBJ, text of about 110 "
+                          "bytes a triangle; PLY holds it."},
               formatKey("state", &FileChoices::state,
                         "Whether to write the [state](state_format.md), from which other commands "
                         "go on."),

@@ -4,7 +4,6 @@
 
 #include <cmath>
 #include <limits>
-#include <sstream>
 
 #include "core/atomic_file.h"
 #include "core/output_error.h"
@@ -144,10 +143,10 @@ void requireFloats(const std::filesystem::path& path, const Eigen::Matrix3Xd& va
 
 void writeModel(const std::filesystem::path& path, tinygltf::Model& model) {
   requireSize(path, model);
-  std::ostringstream stream;
-  tinygltf::TinyGLTF().WriteGltfSceneToStream(&model, stream, /*prettyPrint=*/false,
-                                              /*writeBinary=*/true);
-  writeFileAtomically(path, stream.view());
+  writeFileAtomically(path, [&](std::ostream& stream) {
+    tinygltf::TinyGLTF().WriteGltfSceneToStream(&model, stream, /*prettyPrint=*/false,
+                                                /*writeBinary=*/true);
+  });
 }
 
 }  // namespace morphgrid

@@ -1,90 +1,40 @@
 #include "export/vtu.h"
 
-#include <fmt/format.h>
-#include <vtkCellArray.h>
-#include <vtkCellData.h>
-#include <vtkCellType.h>
-#include <vtkDoubleArray.h>
-#include <vtkIntArray.h>
-#include <vtkNew.h>
-#include <vtkPointData.h>
-#include <vtkPoints.h>
-#include <vtkUnstructuredGrid.h>
-#include <vtkXMLUnstructuredGridWriter.h>
-
-#include <algorithm>
 #include <cassert>
 #include <limits>
 #include <vector>
 
-#include "core/atomic_file.h"
-#include "core/output_error.h"
 #include "energy/bar_state.h"
+#include "export/vtu_file.h"
 #include "grid/shrink.h"
 #include "grid/strain.h"
 
 namespace morphgrid {
 namespace {
 
-vtkNew<vtkDoubleArray> pointArray(const Eigen::Matrix3Xd& values) {
-  vtkNew<vtkDoubleArray> array;
-  array->SetNumberOfComponents(3);
-  array->SetNumberOfTuples(values.cols());
-  std::copy_n(values.data(), values.size(), array->GetPointer(0));
-  return array;
+void addRestLengths(VtuFile& file, const StrutGrid& grid) {
+  file.addDoubles("rest_length",
+                  [&](const Strut& strut, std::size_t) { return valueAt(grid.rest, strut); });
 }
 
-void setPoints(vtkUnstructuredGrid& target, const Eigen::Matrix3Xd& positions) {
-  vtkNew<vtkPoints> points;
-  points->SetData(pointArray(positions));
-  target.SetPoints(points);
+void addPlaces(VtuFile& file) {
+  file.addInts("layer", [](const Strut& strut, std::size_t) { return strut.layer; });
+  file.addInts("direction",
+               [](const Strut& strut, std::size_t) { return static_cast<int>(strut.direction); });
 }
 
-void addPointArray(vtkUnstructuredGrid& target, const char* name, const Eigen::Matrix3Xd& values) {
-  const vtkNew<vtkDoubleArray> array = pointArray(values);
-  array->SetName(name);
-  target.GetPointData()->AddArray(array);
-}
-
-void setLines(vtkUnstructuredGrid& target, const GridShape& shape) {
-  vtkNew<vtkCellArray> lines;
-  lines->AllocateExact(shape.strutCount(), 2 * vtkIdType{shape.strutCount()});
-  forEachStrut(shape, [&](const Strut& strut) { lines->InsertNextCell({strut.from, strut.to}); });
-  target.SetCells(VTK_LINE, lines);
-}
-
-template <typename Array, typename ValueOf>
-void addCellArray(vtkUnstructuredGrid& target, const char* name, const GridShape& shape,
-                  const ValueOf& valueOf) {
-  vtkNew<Array> values;
-  values->SetName(name);
-  values->SetNumberOfValues(shape.strutCount());
-  vtkIdType n = 0;
-  forEachStrut(shape, [&](const Strut& strut) { values->SetValue(n++, valueOf(strut)); });
-  target.GetCellData()->AddArray(values);
-}
-
-void addRestLengths(vtkUnstructuredGrid& target, const StrutGrid& grid) {
-  addCellArray<vtkDoubleArray>(target, "rest_length", grid.shape,
-                               [&](const Strut& strut) { return valueAt(grid.rest, strut); });
-}
-
-void addPlaces(vtkUnstructuredGrid& target, const GridShape& shape) {
-  addCellArray<vtkIntArray>(target, "layer", shape,
-                            [&](const Strut& strut) { return strut.layer; });
-  addCellArray<vtkIntArray>(target, "direction", shape,
-                            [&](const Strut& strut) { return static_cast<int>(strut.direction); });
-}
-
-void addBarArrays(vtkUnstructuredGrid& target, const StrutGrid& grid, const FramePlacement& place) {
+std::vector<BarState> barStatesOf(const StrutGrid& grid, const FramePlacement& place) {
   std::vector<BarState> bars;
-  bars.reserve(grid.shape.strutCount());
+  bars.reserve(static_cast<std::size_t>(grid.shape.strutCount()));
   forEachStrut(grid.shape,
                [&](const Strut& strut) { bars.push_back(barStateAt(grid, place, strut)); });
+  return bars;
+}
+
+/// bars: one a strut, in their order.
+void addBarArrays(VtuFile& file, const std::vector<BarState>& bars) {
   const auto add = [&](const char* name, double BarState::*figure) {
-    auto next = bars.begin();
-    addCellArray<vtkDoubleArray>(target, name, grid.shape,
-                                 [&](const Strut&) { return (*next++).*figure; });
+    file.addDoubles(name, [&bars, figure](const Strut&, std::size_t n) { return bars[n].*figure; });
   };
   add("axial_energy", &BarState::axialEnergy);
   add("bending_energy", &BarState::bendingEnergy);
@@ -92,25 +42,6 @@ void addBarArrays(vtkUnstructuredGrid& target, const StrutGrid& grid, const Fram
   add("twist_energy", &BarState::twistEnergy);
   add("bending_strain", &BarState::bendingStrain);
   add("joint_rotation", &BarState::jointRotation);
-}
-
-void fill(vtkUnstructuredGrid& target, const StrutGrid& grid, const Eigen::Matrix3Xd& positions,
-          const JointRotations& rotations) {
-  const GridShape& shape = grid.shape;
-  const StrutValues shrinks = computeShrinks(grid);
-  setPoints(target, positions);
-  setLines(target, shape);
-  addCellArray<vtkDoubleArray>(target, "strain", shape, [&](const Strut& strut) {
-    return strainAt(grid, positions, strut);
-  });
-  addRestLengths(target, grid);
-  addCellArray<vtkDoubleArray>(target, "shrink", shape,
-                               [&](const Strut& strut) { return valueAt(shrinks, strut); });
-  addPlaces(target, shape);
-  if (grid.bars) {
-    addBarArrays(target, grid, {positions, rotations});
-  }
-  target.GetCellData()->SetActiveScalars("strain");
 }
 
 /// 3 x vertexCount: NaN but for the layers that stand for the surface, see middleLayer().
@@ -124,26 +55,26 @@ Eigen::Matrix3Xd targetsOf(const GridShape& shape, const std::optional<Eigen::Ma
   return points;
 }
 
-void write(const std::filesystem::path& path, vtkUnstructuredGrid& grid) {
-  vtkNew<vtkXMLUnstructuredGridWriter> writer;
-  writer->SetInputData(&grid);
-  // Into memory: VTK's pipeline prints what the disk refuses, whoever listens to the writer.
-  writer->WriteToOutputStringOn();
-  if (writer->Write() == 0) {
-    throw OutputError(fmt::format("{}: cannot be written: VTK ran out of memory", path.string()));
-  }
-  writeFileAtomically(path, writer->GetOutputString());
-}
-
 }  // namespace
 
 void exportVtu(const std::filesystem::path& path, const StrutGrid& grid,
                const Eigen::Matrix3Xd& positions, const JointRotations& rotations) {
   assert(positions.cols() == grid.shape.vertexCount());
   assert(rotations.cols() == (grid.bars ? positions.cols() : 0));
-  vtkNew<vtkUnstructuredGrid> target;
-  fill(*target, grid, positions, rotations);
-  write(path, *target);
+  const StrutValues shrinks = computeShrinks(grid);
+  VtuFile file(grid.shape, positions);
+  file.addDoubles(
+      "strain", [&](const Strut& strut, std::size_t) { return strainAt(grid, positions, strut); });
+  addRestLengths(file, grid);
+  file.addDoubles("shrink",
+                  [&](const Strut& strut, std::size_t) { return valueAt(shrinks, strut); });
+  addPlaces(file);
+  std::vector<BarState> bars;
+  if (grid.bars) {
+    bars = barStatesOf(grid, {positions, rotations});
+    addBarArrays(file, bars);
+  }
+  file.write(path);
 }
 
 void exportPrintedVtu(const std::filesystem::path& path, const StrutGrid& grid,
@@ -151,16 +82,15 @@ void exportPrintedVtu(const std::filesystem::path& path, const StrutGrid& grid,
                       const std::optional<Eigen::Matrix3Xd>& targets) {
   assert(morphed.cols() == grid.shape.vertexCount());
   assert(!targets || targets->cols() == grid.shape.layerVertexCount());
-  vtkNew<vtkUnstructuredGrid> sheet;
-  setPoints(*sheet, grid.positions);
-  setLines(*sheet, grid.shape);
-  addPointArray(*sheet, "morphed", morphed);
-  addPointArray(*sheet, "target", targetsOf(grid.shape, targets));
-  addRestLengths(*sheet, grid);
-  addCellArray<vtkDoubleArray>(*sheet, "printed_length", grid.shape,
-                               [&](const Strut& strut) { return lengthAt(grid.positions, strut); });
-  addPlaces(*sheet, grid.shape);
-  write(path, *sheet);
+  const Eigen::Matrix3Xd points = targetsOf(grid.shape, targets);
+  VtuFile file(grid.shape, grid.positions);
+  file.addPointArray("morphed", morphed);
+  file.addPointArray("target", points);
+  addRestLengths(file, grid);
+  file.addDoubles("printed_length",
+                  [&](const Strut& strut, std::size_t) { return lengthAt(grid.positions, strut); });
+  addPlaces(file);
+  file.write(path);
 }
 
 }  // namespace morphgrid

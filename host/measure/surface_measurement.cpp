@@ -15,7 +15,11 @@ namespace {
 
 constexpr int kSurveyIsolines = 100;
 constexpr int kSurveySamples = 1000;
-constexpr int kCurvatureSamplesPerStrut = 100;
+constexpr int kSamplesPerStrut = 100;
+// An isoline of many struts has no use for as many samples each: with so many it is sampled several
+// times as finely as one of the paper's grids.
+constexpr int kMostSamplesPerIsoline = 10000;
+constexpr int kFewestSamplesPerStrut = 8;
 constexpr int kIsolinesPerRange = 4;
 constexpr int kPointsPerRange = 4096;
 
@@ -59,11 +63,13 @@ DirectionSurvey surveyDirection(const Surface& surface, Direction along,
 /// Of each of `count` struts of an isoline the mean of the capped curvature.
 Eigen::ArrayXd meanCurvatures(const Surface& surface, Direction along, int count, double s,
                               double limit) {
-  const Eigen::Index samples = Eigen::Index{kCurvatureSamplesPerStrut} * count;
+  const Eigen::Index perStrut =
+      std::clamp(kMostSamplesPerIsoline / count, kFewestSamplesPerStrut, kSamplesPerStrut);
+  const Eigen::Index samples = perStrut * count;
   const Eigen::ArrayXd t =
       (Eigen::ArrayXd::LinSpaced(samples, 0, double(samples - 1)) + 0.5) / double(samples);
   const Eigen::ArrayXd capped = curvaturesOn(surface, along, t, s).max(-limit).min(limit);
-  return capped.reshaped(kCurvatureSamplesPerStrut, count).colwise().mean().transpose();
+  return capped.reshaped(perStrut, count).colwise().mean().transpose();
 }
 
 }  // namespace

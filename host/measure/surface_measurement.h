@@ -46,11 +46,12 @@ struct SurfaceMeasurement {
   int nodesU;
   int nodesV;
   LateralField<double> chords;      ///< Straight distance between a strut's end points.
-  LateralField<double> curvatures;  ///< Signed kappa, mean of 100 samples a strut, capped.
+  LateralField<double> curvatures;  ///< Signed kappa, mean of samples along a strut, capped.
   Eigen::Matrix3Xd points;  ///< Target of each vertex of the middle layer, index j (nodesU+1) + i.
 };
 
-/// Along the isolines. Every |kappa| sample is capped to curvatureLimit before the mean is taken.
+/// Along the isolines, with 100 samples a strut as in the paper, fewer where an isoline has more
+/// than 100 struts. Every |kappa| sample is capped to curvatureLimit before the mean is taken.
 SurfaceMeasurement measureSurface(const Surface& surface, int nodesU, int nodesV,
                                   double curvatureLimit, const Cancellation& cancellation = {});
 

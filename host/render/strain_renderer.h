@@ -7,6 +7,12 @@
 
 namespace morphgrid {
 
+/// A grid, and the motion from where it lies to where the camera looks.
+struct PlacedGrid {
+  const DeviceGrid& grid;
+  Eigen::Isometry3d worldFromGrid;
+};
+
 /// Draws strut grids off screen, on white, from the solver's own buffers.
 class StrainRenderer {
  public:
@@ -26,8 +32,18 @@ class StrainRenderer {
   Image drawSurface(const DeviceGrid& grid, const Eigen::Isometry3d& worldFromGrid,
                     const Camera& camera);
 
+  /// Lateral struts, each in the colour of its share (shaders/shared/share_color.h). The camera
+  /// looks where the grid lies. Errors as those of drawStruts().
+  Image drawStrutShares(const DeviceGrid& grid, const StrutValues& shares, const Camera& camera);
+
+  /// The smooth surface of the middle layer in colours of shares, with the veil's over it,
+  /// translucent. shares: of the vertices of a layer, in index order; linear between them.
+  Image drawSurfaceShares(const PlacedGrid& surface, const Eigen::VectorXd& shares,
+                          const PlacedGrid& veil, const Camera& camera);
+
  private:
   int height() const { return static_cast<int>(target_.size().height); }
+  Image picture(const std::function<void(const CommandBuffer&)>& draw);
   Image draw(const DeviceGrid& grid, const GridLook& look, const Eigen::Isometry3d& worldFromGrid,
              const Camera& camera);
 

@@ -1,6 +1,5 @@
 #include <filesystem>
 
-#include "render/draw_shares.h"
 #include "render/picture.h"
 #include "render/strain_renderer.h"
 #include "tests/render/pixels.h"
@@ -58,8 +57,9 @@ TEST_F(GoldenPicture, SaddleBehindAVeil) {
   const Eigen::Isometry3d centred(Eigen::Translation3d(-6, -4.5, 0.5));
   const Eigen::VectorXd shares = Eigen::VectorXd::LinSpaced(13 * 10, 0, 1);
   const Camera camera = frameAll(grid.positions, kObliqueViewDirection, kUpwards, 256.0 / 192);
-  expectGolden(drawSurfaceShares(device_, {surface, Eigen::Isometry3d::Identity()}, shares,
-                                 {veil, centred}, camera, 256, 192),
+  StrainRenderer renderer(device_, 256, 192);
+  expectGolden(renderer.drawSurfaceShares({surface, Eigen::Isometry3d::Identity()}, shares,
+                                          {veil, centred}, camera),
                "veiled_saddle");
 }
 

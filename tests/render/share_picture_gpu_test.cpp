@@ -1,8 +1,8 @@
 #include <algorithm>
 
 #include "gpu/offscreen_target.h"
-#include "render/draw_shares.h"
 #include "render/grid_painter.h"
+#include "render/strain_renderer.h"
 #include "shared/share_color.h"
 #include "tests/render/pixels.h"
 #include "tests/render/sample_grids.h"
@@ -38,14 +38,15 @@ void expectColor(const Pixel& pixel, double share, int tolerance = 4) {
 class SharePicture : public DeviceTest {
  protected:
   Image drawStruts(const StrutGrid& grid, const StrutValues& shares, const Camera& camera) {
-    return drawStrutShares(device_, DeviceGrid(device_, grid), shares, camera, kSide, kSide);
+    return renderer.drawStrutShares(DeviceGrid(device_, grid), shares, camera);
   }
   Image drawSurface(const StrutGrid& grid, const Eigen::VectorXd& shares, const StrutGrid& veil,
                     const Camera& camera, const Eigen::Isometry3d& worldFromVeil = kUnmoved) {
     const DeviceGrid surface(device_, grid), over(device_, veil);
-    return drawSurfaceShares(device_, {surface, kUnmoved}, shares, {over, worldFromVeil}, camera,
-                             kSide, kSide);
+    return renderer.drawSurfaceShares({surface, kUnmoved}, shares, {over, worldFromVeil}, camera);
   }
+
+  StrainRenderer renderer{device_, kSide, kSide};
 };
 
 TEST_F(SharePicture, EachStrutHasTheColorOfItsShare) {

@@ -6,7 +6,6 @@
 
 #include "core/bounding_diagonal.h"
 #include "grid/strut_grid.h"
-#include "render/draw_shares.h"
 #include "render/sheet.h"
 #include "render/strain_renderer.h"
 
@@ -30,26 +29,25 @@ class FidelityPanels {
  public:
   FidelityPanels(const Device& device, const FidelityTrio& trio, SceneSize size)
       : device_(device),
-        size_(size),
+        renderer_(device, size.width, size.height),
         camera_(
             frameAll(allPoints(trio), trio.ours.view.direction, trio.ours.view.up, size.aspect())),
         largestPercent_(
             std::max({trio.papers.frame.asDesigned.max, trio.springs.frame.asDesigned.max,
                       trio.ours.frame.asDesigned.max})) {}
 
-  Panel target(const FidelityRun& run) const {
+  Panel target(const FidelityRun& run) {
     const DeviceGrid grid(device_, layerOf(run, run.targets));
-    StrainRenderer renderer(device_, size_.width, size_.height);
-    return {renderer.drawSurface(grid, kInPlace, camera_), "target", {}};
+    return {renderer_.drawSurface(grid, kInPlace, camera_), "target", {}};
   }
 
-  Panel design(const char* whose, const FidelityRun& run) const {
+  Panel design(const char* whose, const FidelityRun& run) {
     const DeviceGrid grid(device_, layerOf(run, run.middle));
     const DeviceGrid target(device_, layerOf(run, run.targets));
     const double largest = largestPercent_ / 100 * boundingDiagonal(run.targets);
     const Eigen::VectorXd distances = (run.middle - run.targets).colwise().norm();
-    return {drawSurfaceShares(device_, {grid, kInPlace}, distances / largest, {target, kInPlace},
-                              camera_, size_.width, size_.height),
+    return {renderer_.drawSurfaceShares({grid, kInPlace}, distances / largest, {target, kInPlace},
+                                        camera_),
             fmt::format("{}: RMS {:.2g}, max {:.2g} %", whose, run.frame.asDesigned.rms,
                         run.frame.asDesigned.max),
             distanceLegend(largest, largestPercent_)};
@@ -61,7 +59,7 @@ class FidelityPanels {
   }
 
   const Device& device_;
-  SceneSize size_;
+  StrainRenderer renderer_;
   Camera camera_;
   double largestPercent_;  ///< Where the colours end.
 };
@@ -71,7 +69,7 @@ class FidelityPanels {
 Image drawFidelity(const Device& device, const FidelityTrio& trio) {
   const SheetOptions options{
       .title = trio.papers.record.title, .columns = 2, .panelWidth = 440, .panelHeight = 360};
-  const FidelityPanels panels(device, trio, sceneSize(panelPicture(options)));
+  FidelityPanels panels(device, trio, sceneSize(panelPicture(options)));
   return composeSheet({panels.target(trio.ours), panels.design("paper's", trio.papers),
                        panels.design("springs'", trio.springs), panels.design("ours", trio.ours)},
                       options);
