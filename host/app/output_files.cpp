@@ -4,12 +4,13 @@
 
 #include <new>
 
+#include "app/activity.h"
 #include "core/output_error.h"
 
 namespace morphgrid {
 
 OutputFiles::OutputFiles(std::filesystem::path folder, bool quiet)
-    : folder_(std::move(folder)), quiet_(quiet), line_("files", 0) {}
+    : folder_(std::move(folder)), quiet_(quiet) {}
 
 void OutputFiles::write(const std::string& name,
                         const std::function<void(const std::filesystem::path&)>& write) {
@@ -19,6 +20,7 @@ void OutputFiles::write(const std::string& name,
 void OutputFiles::writeAt(const std::filesystem::path& file,
                           const std::function<void(const std::filesystem::path&)>& write) {
   finish();
+  const Activity writing(fmt::format("writing {}", file.filename().string()), quiet_);
   writeNow(file, write);
 }
 
@@ -36,7 +38,6 @@ void OutputFiles::finish() {
 
 void OutputFiles::writeNow(const std::filesystem::path& file,
                            const std::function<void(const std::filesystem::path&)>& write) {
-  tell(file);
   try {
     write(file);
     written_.push_back(file);
@@ -47,15 +48,6 @@ void OutputFiles::writeNow(const std::filesystem::path& file,
   } catch (const std::bad_alloc&) {
     lost_.push_back(fmt::format("{}: cannot be written: out of memory", file.string()));
   }
-}
-
-void OutputFiles::tell(const std::filesystem::path& file) {
-  if (quiet_) return;
-  const bool isFirst = written_.empty() && lost_.empty();
-  if (isFirst) start_ = std::chrono::steady_clock::now();  // What came before was no writing.
-  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start_;
-  line_.tell(fmt::format("{} written, now {}", written_.size(), file.filename().string()),
-             seconds.count(), -1);
 }
 
 }  // namespace morphgrid

@@ -1,12 +1,9 @@
 #pragma once
-#include <chrono>
 #include <filesystem>
 #include <functional>
 #include <future>
 #include <string>
 #include <vector>
-
-#include "app/progress_line.h"
 
 namespace morphgrid {
 
@@ -40,12 +37,9 @@ class OutputFiles {
  private:
   void writeNow(const std::filesystem::path& file,
                 const std::function<void(const std::filesystem::path&)>& write);
-  void tell(const std::filesystem::path& file);
 
   std::filesystem::path folder_;
   bool quiet_;
-  ProgressLine line_;
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
   std::vector<std::filesystem::path> written_;
   std::vector<std::string> lost_;
   std::future<void> meanwhile_;  ///< Last: it uses all of the above.

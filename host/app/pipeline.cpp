@@ -4,7 +4,9 @@
 
 #include <chrono>
 #include <fstream>
+#include <future>
 
+#include "app/activity.h"
 #include "app/device_capacity.h"
 #include "app/draw_run.h"
 #include "app/list_levers.h"
@@ -115,7 +117,7 @@ void writeReport(const Scene& scene, const SceneDesign& designed, const Simulati
 
 /// What the report and the state hold, for people and other programs.
 void writeResults(const Scene& scene, const SceneDesign& designed, Simulation& simulation,
-                  RunContext& context, OutputFiles& files) {
+                  RunContext& context, OutputFiles& files, bool quiet) {
   const OnInterrupt endingNow(InterruptAct::end, kOnlyReportIsWritten);
   const bool isInterrupted = scene.solve.stopRequested();
   if (isInterrupted) {
@@ -124,6 +126,7 @@ void writeResults(const Scene& scene, const SceneDesign& designed, Simulation& s
   simulation.stage.onDevice.reset();  // Its memory is for files now.
   exportFiles(simulation, designed.targets, scene.files, files);
   if (!isInterrupted) {
+    const Activity drawing("drawing pictures", quiet);
     const Target* target = designed.target.get();
     drawRun(scene, designed, target ? target->meshSampling() : nullptr, simulation, context);
   } else if (scene.pictures.enabled) {
@@ -156,11 +159,21 @@ void noteFilesLeftOut(const GridShape& shape, const FileChoices& choices, RunRec
   }
 }
 
+/// Beside the solves, which often wait for the device, the hierarchy over the target's triangles.
+std::future<void> prepareClosestPoints(const SceneDesign& designed) {
+  return std::async(std::launch::async, [target = designed.target] {
+    if (target) target->closestPoints();
+  });
+}
+
 std::vector<std::string> leversOf(const Scene& scene, const SceneDesign& designed,
-                                  const RunRecord& record) {
+                                  const RunRecord& record, bool quiet) {
   const bool isFarOff = record.distance && record.distance->rmsPercent > kFarOff;
   try {
-    if (isFarOff && !scene.solve.stopRequested()) return listLevers(scene, designed);
+    if (isFarOff && !scene.solve.stopRequested()) {
+      const Activity looking("looking for what would help", quiet);
+      return listLevers(scene, designed);
+    }
   } catch (const Cancelled&) {  // The result is there all the same.
   }
   return {};
@@ -207,7 +220,11 @@ RunRecord runScene(const Scene& scene, const RunOptions& options) {
   const auto start = std::chrono::steady_clock::now();
   const OnInterrupt ending(InterruptAct::end, "interrupted before anything was solved");
   const std::shared_ptr<Device> device = deviceFor(scene, options.device, options.quiet);
-  const SceneDesign designed = designScene(scene, roomOn(device, scene));
+  const SceneDesign designed = [&] {
+    const Activity designing("measuring and designing", options.quiet);
+    return designScene(scene, roomOn(device, scene));
+  }();
+  const std::future<void> closestPoints = prepareClosestPoints(designed);
   CheckpointKeeper keeper = checkpointKeeper(scene, designed, options);
   OutputFiles files(options.outputFolder, options.quiet);
   const PictureOptions picture{.width = scene.pictures.width, .height = scene.pictures.height};
@@ -217,6 +234,7 @@ RunRecord runScene(const Scene& scene, const RunOptions& options) {
           writePicture(path, panel, picture);
         });
       });
+  context.begun = start;
   if (scene.solve.stopRequested()) {
     throw Cancelled();
   }
@@ -227,14 +245,14 @@ RunRecord runScene(const Scene& scene, const RunOptions& options) {
     const OnInterrupt saving(InterruptAct::stop, kWritingWhatThereIs);
     simulation = simulateScene(scene, designed, context, keeper, options.quiet);
     record.deviceFailure = context.failure;
-    const std::vector<std::string> levers = leversOf(scene, designed, record);
+    const std::vector<std::string> levers = leversOf(scene, designed, record, options.quiet);
     record.notices.insert(record.notices.end(), levers.begin(), levers.end());
     noteFilesLeftOut(simulation.stage.grid.shape, scene.files, record);
     record.secondsTotal =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     writeReport(scene, designed, simulation, files);
   }
-  writeResults(scene, designed, simulation, context, files);
+  writeResults(scene, designed, simulation, context, files, options.quiet);
   context.requireSilence();
   if (context.failure) record.deviceFailure = context.failure;
   files.finish();

@@ -30,6 +30,19 @@ std::string timeLeft(double seconds) {
                       : fmt::format("about {:.0f} min left", std::ceil(seconds / 60));
 }
 
+using Samples = std::vector<ConvergenceSample>::const_iterator;
+
+/// Seconds from one sample to the next; there are at least two.
+double medianPace(Samples first, Samples last) {
+  std::vector<double> paces;
+  for (auto next = first + 1; next != last; ++next) {
+    paces.push_back(next->seconds - (next - 1)->seconds);
+  }
+  const auto middle = paces.begin() + static_cast<std::ptrdiff_t>(paces.size() / 2);
+  std::nth_element(paces.begin(), middle, paces.end());
+  return *middle;
+}
+
 }  // namespace
 
 double estimateSecondsLeft(const std::vector<ConvergenceSample>& samples, double tolerance) {
@@ -45,20 +58,22 @@ double estimateSecondsLeft(const std::vector<ConvergenceSample>& samples, double
   if (std::distance(first, samples.end()) < kFewestSamples) {
     return -1;
   }
-  const auto half = std::lower_bound(
-      first, samples.end(), (first->seconds + now.seconds) / 2,
-      [](const ConvergenceSample& sample, double seconds) { return sample.seconds < seconds; });
+  const auto half = samples.end() - 1 - std::distance(first, samples.end()) / 2;
   const double fall = std::log(half->residual / now.residual);
   if (!(fall > 0)) {
     return -1;
   }
-  const double rate = fall / (now.seconds - half->seconds);
-  const double left = std::max(0.0, std::log(now.residual / tolerance) / rate);
+  const auto steps = static_cast<double>(std::distance(half, samples.end()) - 1);
+  const double left = std::max(0.0, std::log(now.residual / tolerance) / fall) * steps *
+                      medianPace(half, samples.end());
   return left < kFarthestView * now.seconds ? left : -1;
 }
 
-ProgressLine::ProgressLine(std::string stage, double tolerance)
-    : stage_(std::move(stage)), tolerance_(tolerance), onTerminal_(isatty(STDERR_FILENO) != 0) {}
+ProgressLine::ProgressLine(std::string stage, double tolerance, StageOutlook outlook)
+    : stage_(std::move(stage)),
+      tolerance_(tolerance),
+      outlook_(outlook),
+      onTerminal_(isatty(STDERR_FILENO) != 0) {}
 
 ProgressLine::~ProgressLine() {
   if (barDrawn_) {
@@ -80,9 +95,11 @@ void ProgressLine::tell(const std::string& what, double seconds, double secondsL
     return;
   }
   lastPrinted_ = seconds;
+  if (secondsLeft >= 0) secondsLeft += outlook_.afterwards * (seconds + secondsLeft);
   const std::string status = fmt::format("{}: {}, {}", stage_, what, timeLeft(secondsLeft));
   if (onTerminal_) {
-    const double done = secondsLeft >= 0 ? seconds / (seconds + secondsLeft) : 0;
+    const double soFar = outlook_.secondsBefore + seconds;
+    const double done = secondsLeft >= 0 ? soFar / (soFar + secondsLeft) : 0;
     fmt::print(stderr, "\r\033[K[{}] {}", bar(done), status);
     std::fflush(stderr);
     barDrawn_ = true;

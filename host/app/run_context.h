@@ -1,4 +1,5 @@
 #pragma once
+#include <chrono>
 #include <memory>
 #include <optional>
 #include <string>
@@ -19,6 +20,7 @@ struct RunContext {
   std::shared_ptr<Device> device;
   std::unique_ptr<Pictures> pictures;
   std::optional<std::string> failure;  ///< What the device said when it failed.
+  std::chrono::steady_clock::time_point begun = std::chrono::steady_clock::now();  ///< The run.
   /// Called with each stage before it is solved; may be empty.
   std::function<void(const Stage&)> onStage;
   /// Told before inverse design checks how its design morphs from flat, on the device grid of the

@@ -4,7 +4,6 @@
 
 #include <cmath>
 
-#include "app/progress_line.h"
 #include "design/joint_loads.h"
 #include "energy/grid_energy.h"
 #include "inverse/print_scale.h"
@@ -28,6 +27,11 @@ Equilibrium laidOut(const Sheet& sheet) {
 }
 
 constexpr int kStepsThatTellARate = 3;
+
+// What parts of a run take over the full stage, of a large grid: guesses for who waits.
+constexpr double kInPlaneOverFull = 0.35;
+constexpr double kInverseStepOverFull = 0.5;
+constexpr double kResultsOverFull = 0.3;
 
 /// Those of each layer, bottom first, in the order of LateralRest.
 Eigen::VectorXd lateralRestOf(const GridShape& shape,
@@ -105,8 +109,16 @@ Equilibrium Stages::lastKnown(const StrutGrid& grid) const {
   return result;
 }
 
+StageOutlook Stages::outlookOf(const StrutGrid& grid) const {
+  const std::chrono::duration<double> before = std::chrono::steady_clock::now() - context_.begun;
+  const int steps = scene_.design.compensateRounds + scene_.design.optimiseSteps;
+  const double afterFull = kInverseStepOverFull * steps + kResultsOverFull;
+  const bool isInPlane = grid.shape.layers == 1 && scene_.design.layers > 1;
+  return {before.count(), isInPlane ? (1 + afterFull) / kInPlaneOverFull : afterFull};
+}
+
 void Stages::solve(Stage& stage, const char* name, const Eigen::Matrix3Xd& near) {
-  ProgressLine progress(name, scene_.solve.tolerance);
+  ProgressLine progress(name, scene_.solve.tolerance, outlookOf(stage.grid));
   SolveOptions options = scene_.solve;
   if (!quiet_) {
     options.onProgress = [&](const ConvergenceSample& sample) { progress.update(sample); };

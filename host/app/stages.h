@@ -1,5 +1,6 @@
 #pragma once
 #include "app/checkpoint_keeper.h"
+#include "app/progress_line.h"
 #include "app/run_context.h"
 #include "inverse/inverse_design.h"
 #include "solve/multigrid_solver.h"
@@ -43,6 +44,7 @@ class Stages {
   Stage prepare(Stage stage);
   void reachPrintedLayer(Stage& stage, const Sheet* sheet);
   void solve(Stage& stage, const char* name, const Eigen::Matrix3Xd& near);
+  StageOutlook outlookOf(const StrutGrid& grid) const;
   std::optional<Equilibrium> solveByMethod(Stage& stage, const SolveOptions& options);
   void showOnDevice(const Stage& stage);
   void assessStability(Stage& stage, Motions motions);

@@ -79,16 +79,6 @@ Eigen::Matrix3Xd apply(const SparseWeights& alongU, const SparseWeights& alongV,
   return samples;
 }
 
-Eigen::Matrix3Xi latticeTriangles(const GridShape& lattice) {
-  Eigen::Matrix3Xi triangles(3, 2 * lattice.layerCellCount());
-  int next = 0;
-  forEachCell(lattice, [&](const Cell& cell) {
-    triangles.col(next++) << cell.vertex(0, 0), cell.vertex(1, 0), cell.vertex(1, 1);
-    triangles.col(next++) << cell.vertex(0, 0), cell.vertex(1, 1), cell.vertex(0, 1);
-  });
-  return triangles;
-}
-
 /// Sums of the area vectors of the cells around each vertex, each the cross product of the cell's
 /// diagonals: unlike a triangle it keeps its direction when one side of the cell collapses.
 Eigen::Matrix3Xd areaVectors(const GridShape& lattice, const Eigen::Matrix3Xd& vertices) {
@@ -141,6 +131,16 @@ Eigen::Matrix3Xd computeNormals(const Eigen::Matrix3Xd& tangentsU,
 }
 
 }  // namespace
+
+Eigen::Matrix3Xi latticeTriangles(const GridShape& layer) {
+  Eigen::Matrix3Xi triangles(3, 2 * layer.layerCellCount());
+  int next = 0;
+  forEachCell(layer, [&](const Cell& cell) {
+    triangles.col(next++) << cell.vertex(0, 0), cell.vertex(1, 0), cell.vertex(1, 1);
+    triangles.col(next++) << cell.vertex(0, 0), cell.vertex(1, 1), cell.vertex(0, 1);
+  });
+  return triangles;
+}
 
 SurfaceMesh tessellate(const GridShape& shape, const Eigen::Matrix3Xd& points, int refine) {
   assert(shape.verticesU >= 2 && shape.verticesV >= 2 && refine >= 1);

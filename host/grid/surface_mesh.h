@@ -12,6 +12,10 @@ struct SurfaceMesh {
   Eigen::Matrix3Xi triangles;  ///< Vertex indices, counter-clockwise about the normal.
 };
 
+/// Two triangles a cell of a layer of vertices, in the order of forEachCell(): 3 x 2
+/// layerCellCount.
+Eigen::Matrix3Xi latticeTriangles(const GridShape& layer);
+
 /// Triangulates a layer of points with `refine` x `refine` cells per cell, refine >= 1, on the
 /// Catmull-Rom surface through them. points: 3 x layerVertexCount of the shape, whose number of
 /// layers does not count.

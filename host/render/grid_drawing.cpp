@@ -13,7 +13,7 @@ namespace {
 constexpr double kStrutHalfWidth = 0.042;  // Spacings.
 // Share of the grid's longer side: struts of few cells stay slender.
 constexpr double kLargestHalfWidth = 0.012;
-constexpr int kSmoothQuads = 30000;  // The surface is refined up to about this many.
+constexpr int kSmoothQuads = 8000;  // The surface is refined up to about this many.
 constexpr int kFinestRefinement = 16;
 constexpr int kMostIsolines = 50;  // Along u, and along v.
 

@@ -79,8 +79,8 @@ CellFigures examineCells(const GridShape& shape, const Matrix3Xd& positions) {
 }
 
 SelfIntersection findSelfIntersection(const GridShape& shape, const Matrix3Xd& positions) {
-  const SurfaceMesh mesh = tessellate(shape, middleLayer(shape, positions), 1);
-  std::vector<int> cells = findSelfIntersections(mesh.vertices, mesh.triangles);
+  const Eigen::Matrix3Xi triangles = latticeTriangles(shape.layer());
+  std::vector<int> cells = findSelfIntersections(middleLayer(shape, positions), triangles);
   for (int& triangle : cells) {
     triangle /= 2;
   }
@@ -88,7 +88,7 @@ SelfIntersection findSelfIntersection(const GridShape& shape, const Matrix3Xd& p
   if (cells.empty()) {
     return {};
   }
-  const GridPlace first = shape.place(mesh.triangles(0, 2 * cells.front()));
+  const GridPlace first = shape.place(triangles(0, 2 * cells.front()));
   return {static_cast<int>(cells.size()), {first.i, first.j, (shape.layers - 1) / 2}};
 }
 

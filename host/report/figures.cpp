@@ -6,7 +6,6 @@
 
 #include "core/bounding_diagonal.h"
 #include "core/intrinsic_diagonal.h"
-#include "core/parallel_for.h"
 #include "core/rigid_alignment.h"
 #include "surface/closest_point.h"
 
@@ -14,8 +13,6 @@ namespace morphgrid {
 namespace {
 
 using Eigen::Matrix3Xd;
-
-constexpr int kPointsPerRange = 512;
 
 double meanAngleErrorPercent(const GridShape& shape, const Matrix3Xd& x) {
   double sum = 0;
@@ -69,10 +66,7 @@ TargetDistance computeTargetDistance(const Matrix3Xd& middle, const Matrix3Xd& t
                           diagonal,
                           boundingDiagonal(targets)};
   if (closestPoints) {
-    Eigen::VectorXd closest(aligned.cols());
-    parallelFor(aligned.cols(), kPointsPerRange, [&](Eigen::Index n) {
-      closest[n] = 100 / diagonal * closestPoints->distance(aligned.col(n));
-    });
+    const Eigen::VectorXd closest = 100 / diagonal * closestPoints->distances(aligned);
     distance.closest = {rootMeanSquare(closest), closest.maxCoeff(), spreadOf(closest)};
   }
   return distance;

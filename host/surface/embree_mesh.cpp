@@ -8,11 +8,12 @@
 namespace morphgrid {
 
 EmbreeMesh::EmbreeMesh(const Eigen::Matrix3Xf& vertices, const Eigen::Matrix3Xi& triangles,
-                       RTCSceneFlags flags)
+                       RTCSceneFlags flags, RTCBuildQuality quality)
     : device_(rtcNewDevice(nullptr), rtcReleaseDevice), scene_(nullptr, rtcReleaseScene) {
   throwOnError();
   scene_.reset(rtcNewScene(device_.get()));
   rtcSetSceneFlags(scene_.get(), flags);
+  rtcSetSceneBuildQuality(scene_.get(), quality);
   const std::unique_ptr<RTCGeometryTy, decltype(&rtcReleaseGeometry)> geometry(
       rtcNewGeometry(device_.get(), RTC_GEOMETRY_TYPE_TRIANGLE), rtcReleaseGeometry);
   throwOnError();

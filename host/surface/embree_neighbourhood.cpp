@@ -29,7 +29,7 @@ bool visitTriangle(RTCPointQueryFunctionArguments* arguments) {
 
 EmbreeNeighbourhood::EmbreeNeighbourhood(const Eigen::Matrix3Xd& vertices,
                                          const Eigen::Matrix3Xi& triangles)
-    : mesh_(vertices.cast<float>(), triangles),
+    : mesh_(vertices.cast<float>(), triangles, RTC_SCENE_FLAG_NONE, RTC_BUILD_QUALITY_LOW),
       rounding_(4 * std::numeric_limits<float>::epsilon() * vertices.cwiseAbs().maxCoeff()) {}
 
 void EmbreeNeighbourhood::visit(const Eigen::Vector3d& point, double radius,

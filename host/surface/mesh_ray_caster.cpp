@@ -73,7 +73,8 @@ struct MeshRayCaster::Scene {
   explicit Scene(const TriangleMesh& source)
       : mesh(source),
         normalisation(boundingBox(mesh)),
-        embree(normalisation.vertices(mesh.vertices), mesh.triangles, RTC_SCENE_FLAG_ROBUST) {}
+        embree(normalisation.vertices(mesh.vertices), mesh.triangles, RTC_SCENE_FLAG_ROBUST,
+               RTC_BUILD_QUALITY_MEDIUM) {}
 
   std::vector<Index> withinReach(const Eigen::Matrix2Xd& places) const;
   void castPacket(std::span<const Index> rays, const Vector2d& offset,

@@ -66,8 +66,7 @@ std::shared_ptr<const Target> makePatchTarget(const PatchRequest& request,
 
 ClosestPointQuery closestPointsOf(const Surface& surface) {
   const Net net = isolineNet(kClosestCells, kClosestCells);
-  const SurfaceMesh mesh = tessellate(net.shape(), pointsAt(surface, net.parameters), 1);
-  return {mesh.vertices, mesh.triangles};
+  return {pointsAt(surface, net.parameters), latticeTriangles(net.shape())};
 }
 
 }  // namespace morphgrid

@@ -31,6 +31,25 @@ TEST(EstimateSecondsLeft, IsUnknownUntilSamplesOfTheGridTellARate) {
   EXPECT_NEAR(estimateSecondsLeft(samples, 1e-20), 2, 1e-9);
 }
 
+TEST(EstimateSecondsLeft, TakesNoSampleThatWaitedForAKernelForARate) {
+  std::vector<ConvergenceSample> samples;
+  double seconds = 0;
+  for (int n = 1; n <= 10; ++n) {
+    seconds += n % 3 == 0 ? 100 : 1;
+    samples.push_back({n, 1.0, std::pow(10.0, -n), seconds});
+  }
+  EXPECT_NEAR(estimateSecondsLeft(samples, 1e-13), 3, 1e-9);
+}
+
+TEST(ProgressLine, TellsWhatTheRunHasToCome) {
+  testing::internal::CaptureStderr();
+  ProgressLine line("full", 1e-9, {.secondsBefore = 3, .afterwards = 0.5});
+  line.tell("12 iterations", 10, 20);
+  line.tell("13 iterations", 20, -1);
+  EXPECT_EQ(testing::internal::GetCapturedStderr(),
+            "full: 12 iterations, about 35 s left\nfull: 13 iterations, time left unknown\n");
+}
+
 TEST(EstimateSecondsLeft, IsUnknownWhereNothingFalls) {
   EXPECT_LT(estimateSecondsLeft({}, 1e-9), 0);
   EXPECT_LT(estimateSecondsLeft({{1, 1.0, 0.5, 1}, {2, 1.0, 0.5, 2}}, 1e-9), 0);

@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <sys/prctl.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -52,8 +53,19 @@ std::string ChildProcess::output() const {
 
 void ChildProcess::signal(int number) const { kill(process_, number); }
 
+bool ChildProcess::await(int options) {
+  rusage usage{};
+  if (wait4(process_, &status_, options, &usage) != process_) return false;
+  const auto seconds = [](const timeval& time) {
+    return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
+  };
+  cost_ = {seconds(usage.ru_utime) + seconds(usage.ru_stime),
+           1.024e-3 * static_cast<double>(usage.ru_maxrss)};
+  return true;
+}
+
 bool ChildProcess::hasEnded() {
-  hasEnded_ = hasEnded_ || waitpid(process_, &status_, WNOHANG) == process_;
+  hasEnded_ = hasEnded_ || await(WNOHANG);
   return hasEnded_;
 }
 
@@ -66,8 +78,7 @@ bool ChildProcess::waitFor(const std::function<bool()>& done) {
 }
 
 int ChildProcess::exitCode() {
-  if (!hasEnded_) waitpid(process_, &status_, 0);
-  hasEnded_ = true;
+  hasEnded_ = hasEnded_ || await(0);
   return WIFEXITED(status_) ? WEXITSTATUS(status_) : 128 + WTERMSIG(status_);
 }
 

@@ -8,6 +8,12 @@
 
 namespace morphgrid {
 
+/// What a process that has ended took.
+struct ProcessCost {
+  double cpuSeconds = 0;     ///< Of all its threads, and of the system for them.
+  double peakMegabytes = 0;  ///< Resident.
+};
+
 /// A program that runs; its output goes to a file. Killed where it still runs in the end.
 class ChildProcess {
  public:
@@ -27,12 +33,18 @@ class ChildProcess {
   bool waitFor(const std::function<bool()>& done);
   /// Until it ends; 128 + signal when a signal ended it.
   int exitCode();
+  /// Once it has ended.
+  const ProcessCost& cost() const { return cost_; }
 
  private:
+  /// options: those of waitpid().
+  bool await(int options);
+
   pid_t process_;
   std::filesystem::path output_;
   bool hasEnded_ = false;
   int status_ = 0;
+  ProcessCost cost_;
 };
 
 }  // namespace morphgrid

@@ -13,6 +13,7 @@
 #include "benchmark/profile_benchmark.h"
 #include "benchmark/ray_benchmark.h"
 #include "benchmark/robustness.h"
+#include "benchmark/run_benchmark.h"
 #include "benchmark/solve_benchmark.h"
 #include "benchmark/sweep_benchmark.h"
 #include "benchmark/validation.h"
@@ -39,6 +40,7 @@ int runBenchmark(std::vector<std::string> arguments) {
   CLI::App app("Measures how fast morphgrid is.", "tools/bench");
   app.require_subcommand(0, 1);
   addSolveBenchmark(app);
+  addRunBenchmark(app);
   addProfileBenchmark(app);
   addFrameBenchmark(app);
   addMachineBenchmark(app);

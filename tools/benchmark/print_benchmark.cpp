@@ -1,7 +1,6 @@
 #include "benchmark/print_benchmark.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -12,6 +11,7 @@
 #include "app/pipeline.h"
 #include "benchmark/cost.h"
 #include "benchmark/problem.h"
+#include "benchmark/work_folder.h"
 #include "core/atomic_file.h"
 #include "core/error.h"
 #include "core/read_file.h"
@@ -31,24 +31,6 @@ struct PrintBenchmark {
   int rounds = 5;
   std::string device;
   std::string document;
-};
-
-/// A folder that goes when it is no longer needed.
-class WorkFolder {
- public:
-  WorkFolder() : path_(fs::temp_directory_path() / fmt::format("morphgrid_bench.{}", getpid())) {
-    fs::create_directories(path_);
-  }
-  ~WorkFolder() {
-    std::error_code ignored;
-    fs::remove_all(path_, ignored);
-  }
-  WorkFolder(const WorkFolder&) = delete;
-  WorkFolder& operator=(const WorkFolder&) = delete;
-  const fs::path& path() const { return path_; }
-
- private:
-  fs::path path_;
 };
 
 /// Of this process, in megabytes. field: "VmRSS", what it holds, or "VmHWM", the most it held since
