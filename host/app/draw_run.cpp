@@ -3,19 +3,41 @@
 namespace morphgrid {
 namespace {
 
+/// A grid on the device, as far as pictures show it.
+struct DrawnGrid {
+  Eigen::Matrix3Xd positions;
+  DeviceGrid onDevice;
+};
+
+DrawnGrid drawnGrid(const Device& device, const Pictures& pictures, const StrutGrid& grid,
+                    const Eigen::Matrix3Xd& positions, const JointRotations& rotations = {}) {
+  const ThinnedLattice lattice = pictures.latticeFor(grid);
+  if (!lattice.isWhole()) {
+    const StrutGrid thinned = lattice.grid(grid, positions);
+    return {thinned.positions, DeviceGrid(device, thinned)};
+  }
+  DrawnGrid drawn{positions, DeviceGrid(device, grid)};
+  drawn.onDevice.uploadPositions(positions, rotations);
+  return drawn;
+}
+
 /// The flat stages.
 void drawPrinted(const Scene& scene, const SceneDesign& designed, const Simulation& simulation,
                  const Device& device, Pictures& pictures) {
   const RunRecord& record = simulation.record;
+  const auto drawn = [&](const StrutGrid& grid, const Eigen::Matrix3Xd& positions) {
+    return drawnGrid(device, pictures, grid, positions);
+  };
   const StrutGrid before = inPlaneGrid(designed.design, scene.weights, scene.scaling);
-  DeviceGrid inPlane(device, before);
-  pictures.drawInitial(inPlane, before.positions);
-  inPlane.uploadPositions(record.inPlane->positions);
-  pictures.drawInPlane(inPlane, record.inPlane->positions);
+  const DrawnGrid initial = drawn(before, before.positions);
+  pictures.drawInitial(initial.onDevice, initial.positions);
+  const DrawnGrid inPlane = drawn(before, record.inPlane->positions);
+  pictures.drawInPlane(inPlane.onDevice, inPlane.positions);
   const Stage& stage = simulation.stage;
   if (stage.mmPerUnit) pictures.tellLengthsIn({*stage.mmPerUnit, "mm"});
   if (record.full) {
-    pictures.drawStacked(DeviceGrid(device, stage.grid), stage.grid.positions);
+    const DrawnGrid stacked = drawn(stage.grid, stage.grid.positions);
+    pictures.drawStacked(stacked.onDevice, stacked.positions);
     pictures.drawShrink(stage.grid, stage.shrinkBounds);
   }
 }
@@ -31,10 +53,12 @@ void drawRun(const Scene& scene, const SceneDesign& designed, const MeshSampling
       pictures.drawSampling(sampling->mesh, sampling->hits);
     }
     drawPrinted(scene, designed, simulation, *context.device, pictures);
-    stage.onDevice = std::make_shared<DeviceGrid>(*context.device, stage.grid);
-    stage.onDevice->uploadPositions(stage.equilibrium.positions, stage.equilibrium.rotations);
-    pictures.drawResult(*stage.onDevice, stage.equilibrium.positions, simulation.targetFromGrid,
-                        designed.targets);
+    const Equilibrium& end = stage.equilibrium;
+    const DrawnGrid result =
+        drawnGrid(*context.device, pictures, stage.grid, end.positions, end.rotations);
+    std::optional<Eigen::Matrix3Xd> targets;
+    if (designed.targets) targets = pictures.latticeFor(stage.grid).points(*designed.targets);
+    pictures.drawResult(result.onDevice, result.positions, simulation.targetFromGrid, targets);
   });
 }
 

@@ -4,8 +4,8 @@
 
 namespace morphgrid {
 
-/// Puts a simulation's result on the context's device and draws it, from nothing but what the
-/// simulation holds in the end. sampling: of a mesh; may be null.
+/// Draws a simulation's result by the context's device, from nothing but what the simulation holds
+/// in the end, and takes what the stage has there off it. sampling: of a mesh; may be null.
 void drawRun(const Scene& scene, const SceneDesign& designed, const MeshSampling* sampling,
              Simulation& simulation, RunContext& context);
 

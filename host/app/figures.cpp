@@ -95,9 +95,11 @@ std::vector<Panel> panelsOf(DrawnPanels drawn, const RunRecord& record, const Sh
 FilmRecord film(const Scene& scene, const SceneDesign& designed, RunContext& context,
                 Simulation& simulation, const FiguresOptions& options, OutputFiles& files) {
   FilmRecord record;
-  if (!options.film.wanted() || !simulation.stage.onDevice) {
-    return record;
-  }
+  if (!options.film.wanted()) return record;
+  Stage& stage = simulation.stage;
+  context.attempt(
+      [&] { stage.onDevice = std::make_shared<DeviceGrid>(*context.device, stage.grid); });
+  if (!stage.onDevice) return record;
   const OnInterrupt ending(InterruptAct::end,
                            "interrupted: the sheet is written, not all that shows the morph");
   context.attempt([&] {

@@ -4,7 +4,7 @@
 
 #include <new>
 
-#include "app/activity.h"
+#include "app/activity_line.h"
 #include "core/output_error.h"
 
 namespace morphgrid {
@@ -20,7 +20,7 @@ void OutputFiles::write(const std::string& name,
 void OutputFiles::writeAt(const std::filesystem::path& file,
                           const std::function<void(const std::filesystem::path&)>& write) {
   finish();
-  const Activity writing(fmt::format("writing {}", file.filename().string()), quiet_);
+  const ActivityLine writing(fmt::format("writing {}", file.filename().string()), quiet_);
   writeNow(file, write);
 }
 

@@ -15,6 +15,7 @@
 namespace morphgrid {
 namespace {
 
+constexpr int kFewestPixelsPerCell = 4;
 constexpr double kScaleBarShare = 0.2;  // Of a picture's width, at most.
 
 }  // namespace
@@ -37,6 +38,11 @@ std::optional<ScaleBar> Pictures::scaleBar(const Camera& camera,
 
 Camera Pictures::frame(const Eigen::Matrix3Xd& points, const View& view) const {
   return frameAll(points, view.direction, view.up, size_.aspect());
+}
+
+ThinnedLattice Pictures::latticeFor(const StrutGrid& grid) const {
+  const int cells = std::max(grid.shape.cellsU(), grid.shape.cellsV());
+  return {grid.shape, grid.bars ? cells : size_.width / kFewestPixelsPerCell};
 }
 
 void Pictures::drawSampling(const TriangleMesh& mesh, const RayHits& hits) const {
@@ -73,7 +79,10 @@ void Pictures::drawStacked(const DeviceGrid& deviceGrid, const Eigen::Matrix3Xd&
 }
 
 void Pictures::drawShrink(const StrutGrid& stacked, const ShrinkBounds& bounds) {
-  const StrutGrid layers = spreadLayers(stacked, size_.aspect());
+  const ThinnedLattice lattice = latticeFor(stacked);
+  const StrutValues shares = computeShrinkShares(stacked, bounds);
+  const StrutGrid layers = spreadLayers(
+      lattice.isWhole() ? stacked : lattice.grid(stacked, stacked.positions), size_.aspect());
   const DeviceGrid deviceGrid(device_, layers);
   const Camera camera = frame(layers.positions, kTopView);
   show_("shrink",

@@ -6,6 +6,7 @@
 #include "grid/shrink.h"
 #include "render/sheet.h"
 #include "render/strain_renderer.h"
+#include "render/thinned_lattice.h"
 #include "surface/mesh_ray_caster.h"
 
 namespace morphgrid {
@@ -22,6 +23,9 @@ class Pictures {
 
   /// From now on lengths are told in it; before in the scene's.
   void tellLengthsIn(const LengthUnit& unit) { unit_ = unit; }
+
+  /// What they show of a grid: cells a few pixels wide, as seen from above; a frame's bars all.
+  ThinnedLattice latticeFor(const StrutGrid& grid) const;
 
   /// How rays sampled a mesh (sampling).
   void drawSampling(const TriangleMesh& mesh, const RayHits& hits) const;

@@ -6,7 +6,7 @@
 #include <fstream>
 #include <future>
 
-#include "app/activity.h"
+#include "app/activity_line.h"
 #include "app/device_capacity.h"
 #include "app/draw_run.h"
 #include "app/list_levers.h"
@@ -126,7 +126,7 @@ void writeResults(const Scene& scene, const SceneDesign& designed, Simulation& s
   simulation.stage.onDevice.reset();  // Its memory is for files now.
   exportFiles(simulation, designed.targets, scene.files, files);
   if (!isInterrupted) {
-    const Activity drawing("drawing pictures", quiet);
+    const ActivityLine drawing("drawing pictures", quiet);
     const Target* target = designed.target.get();
     drawRun(scene, designed, target ? target->meshSampling() : nullptr, simulation, context);
   } else if (scene.pictures.enabled) {
@@ -171,7 +171,7 @@ std::vector<std::string> leversOf(const Scene& scene, const SceneDesign& designe
   const bool isFarOff = record.distance && record.distance->rmsPercent > kFarOff;
   try {
     if (isFarOff && !scene.solve.stopRequested()) {
-      const Activity looking("looking for what would help", quiet);
+      const ActivityLine looking("looking for what would help", quiet);
       return listLevers(scene, designed);
     }
   } catch (const Cancelled&) {  // The result is there all the same.
@@ -221,7 +221,7 @@ RunRecord runScene(const Scene& scene, const RunOptions& options) {
   const OnInterrupt ending(InterruptAct::end, "interrupted before anything was solved");
   const std::shared_ptr<Device> device = deviceFor(scene, options.device, options.quiet);
   const SceneDesign designed = [&] {
-    const Activity designing("measuring and designing", options.quiet);
+    const ActivityLine designing("measuring and designing", options.quiet);
     return designScene(scene, roomOn(device, scene));
   }();
   const std::future<void> closestPoints = prepareClosestPoints(designed);

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "app/activity.h"
+#include "app/activity_line.h"
 #include "core/bounding_diagonal.h"
 #include "core/rigid_alignment.h"
 
@@ -165,7 +165,7 @@ Simulation simulateScene(const Scene& scene, const SceneDesign& designed, RunCon
 
   cancellation.check();
   const bool isInterrupted = scene.solve.stopRequested();
-  const Activity examining("examining the result", quiet);
+  const ActivityLine examining("examining the result", quiet);
   const Eigen::Matrix3Xd& positions = stage.equilibrium.positions;
   const auto sheet = stage.grid.positions.topRows<2>();
   record.printedSheet = sheet.rowwise().maxCoeff() - sheet.rowwise().minCoeff();

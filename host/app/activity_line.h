@@ -8,13 +8,13 @@ namespace morphgrid {
 
 /// While it lives, says on stderr what the program is doing, if that takes more than a second: for
 /// work that cannot tell how far it is.
-class Activity {
+class ActivityLine {
  public:
   /// what: "measuring the target".
-  Activity(std::string what, bool quiet);
-  ~Activity();
-  Activity(const Activity&) = delete;
-  Activity& operator=(const Activity&) = delete;
+  ActivityLine(std::string what, bool quiet);
+  ~ActivityLine();
+  ActivityLine(const ActivityLine&) = delete;
+  ActivityLine& operator=(const ActivityLine&) = delete;
 
  private:
   void watch();

@@ -1,4 +1,4 @@
-#include "app/activity.h"
+#include "app/activity_line.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -11,7 +11,7 @@ namespace {
 std::string toldIn(std::chrono::milliseconds time, bool quiet) {
   testing::internal::CaptureStderr();
   {
-    const Activity activity("measuring", quiet);
+    const ActivityLine activity("measuring", quiet);
     std::this_thread::sleep_for(time);
   }
   return testing::internal::GetCapturedStderr();
@@ -19,15 +19,15 @@ std::string toldIn(std::chrono::milliseconds time, bool quiet) {
 
 constexpr std::chrono::milliseconds kMoreThanASecond(1300);
 
-TEST(Activity, IsToldAfterASecond) {
+TEST(ActivityLine, IsToldAfterASecond) {
   EXPECT_THAT(toldIn(kMoreThanASecond, false), testing::HasSubstr("measuring: 1 s so far"));
 }
 
-TEST(Activity, IsNotToldWhereNobodyWaits) {
+TEST(ActivityLine, IsNotToldWhereNobodyWaits) {
   EXPECT_EQ(toldIn(std::chrono::milliseconds(1), false), "");
 }
 
-TEST(Activity, IsNotToldToThoseWhoWantQuiet) { EXPECT_EQ(toldIn(kMoreThanASecond, true), ""); }
+TEST(ActivityLine, IsNotToldToThoseWhoWantQuiet) { EXPECT_EQ(toldIn(kMoreThanASecond, true), ""); }
 
 }  // namespace
 }  // namespace morphgrid

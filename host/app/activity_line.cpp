@@ -1,4 +1,4 @@
-#include "app/activity.h"
+#include "app/activity_line.h"
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -15,12 +15,12 @@ constexpr std::chrono::seconds kBetweenLines(5);
 
 }  // namespace
 
-Activity::Activity(std::string what, bool quiet)
+ActivityLine::ActivityLine(std::string what, bool quiet)
     : what_(std::move(what)), onTerminal_(isatty(STDERR_FILENO) != 0) {
   if (!quiet) watcher_ = std::thread([this] { watch(); });
 }
 
-Activity::~Activity() {
+ActivityLine::~ActivityLine() {
   {
     const std::lock_guard lock(mutex_);
     hasEnded_ = true;
@@ -29,7 +29,7 @@ Activity::~Activity() {
   if (watcher_.joinable()) watcher_.join();
 }
 
-void Activity::watch() {
+void ActivityLine::watch() {
   const auto start = std::chrono::steady_clock::now();
   std::unique_lock lock(mutex_);
   bool isTold = false;
