@@ -6,7 +6,7 @@ namespace {
 /// A grid on the device, as far as pictures show it.
 struct DrawnGrid {
   Eigen::Matrix3Xd positions;
-  DeviceGrid onDevice;
+  std::unique_ptr<DeviceGrid> onDevice;
 };
 
 DrawnGrid drawnGrid(const Device& device, const Pictures& pictures, const StrutGrid& grid,
@@ -14,11 +14,11 @@ DrawnGrid drawnGrid(const Device& device, const Pictures& pictures, const StrutG
   const ThinnedLattice lattice = pictures.latticeFor(grid);
   if (!lattice.isWhole()) {
     const StrutGrid thinned = lattice.grid(grid, positions);
-    return {thinned.positions, DeviceGrid(device, thinned)};
+    return {thinned.positions, std::make_unique<DeviceGrid>(device, thinned)};
   }
-  DrawnGrid drawn{positions, DeviceGrid(device, grid)};
-  drawn.onDevice.uploadPositions(positions, rotations);
-  return drawn;
+  auto onDevice = std::make_unique<DeviceGrid>(device, grid);
+  onDevice->uploadPositions(positions, rotations);
+  return {positions, std::move(onDevice)};
 }
 
 /// The flat stages.
@@ -30,14 +30,14 @@ void drawPrinted(const Scene& scene, const SceneDesign& designed, const Simulati
   };
   const StrutGrid before = inPlaneGrid(designed.design, scene.weights, scene.scaling);
   const DrawnGrid initial = drawn(before, before.positions);
-  pictures.drawInitial(initial.onDevice, initial.positions);
+  pictures.drawInitial(*initial.onDevice, initial.positions);
   const DrawnGrid inPlane = drawn(before, record.inPlane->positions);
-  pictures.drawInPlane(inPlane.onDevice, inPlane.positions);
+  pictures.drawInPlane(*inPlane.onDevice, inPlane.positions);
   const Stage& stage = simulation.stage;
   if (stage.mmPerUnit) pictures.tellLengthsIn({*stage.mmPerUnit, "mm"});
   if (record.full) {
     const DrawnGrid stacked = drawn(stage.grid, stage.grid.positions);
-    pictures.drawStacked(stacked.onDevice, stacked.positions);
+    pictures.drawStacked(*stacked.onDevice, stacked.positions);
     pictures.drawShrink(stage.grid, stage.shrinkBounds);
   }
 }
@@ -58,7 +58,7 @@ void drawRun(const Scene& scene, const SceneDesign& designed, const MeshSampling
         drawnGrid(*context.device, pictures, stage.grid, end.positions, end.rotations);
     std::optional<Eigen::Matrix3Xd> targets;
     if (designed.targets) targets = pictures.latticeFor(stage.grid).points(*designed.targets);
-    pictures.drawResult(result.onDevice, result.positions, simulation.targetFromGrid, targets);
+    pictures.drawResult(*result.onDevice, result.positions, simulation.targetFromGrid, targets);
   });
 }
 

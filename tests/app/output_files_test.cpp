@@ -46,5 +46,26 @@ TEST(OutputFiles, OtherErrorsArePassedOn) {
   EXPECT_THROW(files.write("a", [](const auto&) { throw InputError("wrong"); }), InputError);
 }
 
+TEST(OutputFiles, OnesWrittenMeanwhileComeInTheirOrderAndAreAsWell) {
+  const TemporaryFolder folder;
+  std::filesystem::create_directory(folder / "b.txt");
+  OutputFiles files(folder.path(), true);
+  for (const char* name : {"a.txt", "b.txt", "c.txt"}) files.writeMeanwhile(name, writeWord);
+  files.write("d.txt", writeWord);
+  files.writeMeanwhile("e.txt", writeWord);
+  files.finish();
+  EXPECT_THAT(files.written(),
+              ElementsAre(folder / "a.txt", folder / "c.txt", folder / "d.txt", folder / "e.txt"));
+  EXPECT_THAT(files.lost(), ElementsAre(HasSubstr("b.txt: cannot be written")));
+}
+
+TEST(OutputFiles, OtherErrorsOfOnesWrittenMeanwhileArePassedOnByTheNextCall) {
+  OutputFiles files({}, true);
+  files.writeMeanwhile("a", [](const auto&) { throw DeviceError("gone"); });
+  EXPECT_THROW(files.finish(), DeviceError);
+  files.writeMeanwhile("a", [](const auto&) { throw InputError("wrong"); });
+  EXPECT_THROW(files.write("b", [](const auto&) {}), InputError);
+}
+
 }  // namespace
 }  // namespace morphgrid

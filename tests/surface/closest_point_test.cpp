@@ -49,5 +49,40 @@ TEST(ClosestPointQuery, FindsTheNearestOfManyTriangles) {
   }
 }
 
+/// A height field of n x n cells over the unit square.
+ClosestPointQuery hills(int n) {
+  Eigen::Matrix3Xd vertices(3, (n + 1) * (n + 1));
+  Eigen::Matrix3Xi triangles(3, 2 * n * n);
+  for (int j = 0; j <= n; ++j) {
+    for (int i = 0; i <= n; ++i) {
+      const double x = double(i) / n, y = double(j) / n;
+      vertices.col(j * (n + 1) + i) << x, y, 0.1 * std::sin(7 * x) * std::cos(5 * y);
+    }
+  }
+  for (int j = 0; j < n; ++j) {
+    for (int i = 0; i < n; ++i) {
+      const int first = j * (n + 1) + i;
+      triangles.col(2 * (j * n + i)) << first, first + 1, first + n + 2;
+      triangles.col(2 * (j * n + i) + 1) << first, first + n + 2, first + n + 1;
+    }
+  }
+  return {vertices, triangles};
+}
+
+TEST(ClosestPointQuery, ManyPointsAreAsFarAsEachByItself) {
+  std::mt19937 random(2);
+  std::uniform_real_distribution<double> coordinate(-0.2, 1.2);
+  const ClosestPointQuery query = hills(40);
+  Eigen::Matrix3Xd points(3, 3000);
+  for (Eigen::Index n = 0; n < points.cols(); ++n) {
+    const double height = n % 2 == 0 ? 0 : coordinate(random);  // Half of them near the surface.
+    points.col(n) << coordinate(random), coordinate(random), height;
+  }
+  const Eigen::VectorXd distances = query.distances(points);
+  for (Eigen::Index n = 0; n < points.cols(); ++n) {
+    EXPECT_EQ(distances[n], query.distance(points.col(n))) << n;
+  }
+}
+
 }  // namespace
 }  // namespace morphgrid
