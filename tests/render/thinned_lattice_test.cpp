@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "grid/strain.h"
 #include "tests/render/sample_grids.h"
 
@@ -34,7 +36,8 @@ TEST(ThinnedLattice, StrutsAreStrainedAsTheFirstThatTheyStandFor) {
   EXPECT_EQ(drawn.spacing, 2 * grid.spacing);
   forEachStrut(drawn.shape, [&](const Strut& strut) {
     const GridPlace place = drawn.shape.place(strut.from);
-    const int from = grid.shape.index(2 * place.i, 2 * place.j, place.layer);
+    const int from = grid.shape.index(std::min(2 * place.i, grid.shape.cellsU()),
+                                      std::min(2 * place.j, grid.shape.cellsV()), place.layer);
     const int step = strut.direction == Strut::Direction::u   ? 1
                      : strut.direction == Strut::Direction::v ? grid.shape.verticesU
                                                               : grid.shape.layerVertexCount();
