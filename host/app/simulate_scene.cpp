@@ -4,6 +4,7 @@
 
 #include "app/activity_line.h"
 #include "core/bounding_diagonal.h"
+#include "core/free_memory.h"
 #include "core/rigid_alignment.h"
 
 namespace morphgrid {
@@ -153,7 +154,8 @@ Simulation simulateScene(const Scene& scene, const SceneDesign& designed, RunCon
         record.notices.push_back(notice);
       }
     }
-    stage.solver.reset();  // Its memory is for pictures now.
+    stage.solver.reset();  // Its memory is for files and pictures now.
+    returnFreedMemory();
     const MaterialRequest material = materialOf(scene, stage.mmPerUnit);
     record.bars = barSizesOf(stage.grid, material);
     for (const std::string& notice : adviseOnBars(stage.grid, material)) {

@@ -16,6 +16,7 @@ class Cancellation {
  public:
   /// Never requested.
   Cancellation() = default;
+  /// isRequested: several threads may call it at once.
   explicit Cancellation(std::function<bool()> isRequested) : isRequested_(std::move(isRequested)) {}
 
   /// Throws Cancelled once it is requested.

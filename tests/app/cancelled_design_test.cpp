@@ -1,6 +1,10 @@
 // Designs that nobody waits for any more.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <atomic>
+#include <thread>
+
 #include "app/design_scene.h"
 #include "tests/support/folders.h"
 
@@ -16,12 +20,12 @@ struct DesignCase {
 
 class CancelledDesign : public testing::TestWithParam<DesignCase> {
  protected:
-  /// Cancels when asked for the nth time; returns whether that ended the design.
+  /// Cancels from the nth time on that a thread asks; returns whether that ended the design.
   bool cancelAt(int n) {
     asked_ = 0;
     Scene scene =
         loadScene(sourceFolder() / "scenes" / (GetParam().scene + ".toml"), GetParam().overrides);
-    scene.solve.isCancelled = [this, n] { return ++asked_ == n; };
+    scene.solve.isCancelled = [this, n] { return ++asked_ >= n && n > 0; };
     try {
       designScene(scene);
       return false;
@@ -30,16 +34,17 @@ class CancelledDesign : public testing::TestWithParam<DesignCase> {
     }
   }
 
-  int asked_ = 0;
+  std::atomic<int> asked_ = 0;
 };
 
 TEST_P(CancelledDesign, EndsWhereverItIs) {
   ASSERT_FALSE(cancelAt(0));
   const int all = asked_;
+  const auto threads = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
   EXPECT_GE(all, GetParam().lines);
   for (const int n : {1, all / 2, all}) {
     EXPECT_TRUE(cancelAt(n)) << n << " of " << all;
-    EXPECT_EQ(asked_, n) << "it goes on";
+    EXPECT_LT(asked_, n + threads) << "it goes on";
   }
 }
 
