@@ -96,12 +96,12 @@ FilmRecord film(const Scene& scene, const SceneDesign& designed, RunContext& con
                 Simulation& simulation, const FiguresOptions& options, OutputFiles& files) {
   FilmRecord record;
   if (!options.film.wanted()) return record;
+  const OnInterrupt ending(InterruptAct::end,
+                           "interrupted: the sheet is written, not all that shows the morph");
   Stage& stage = simulation.stage;
   context.attempt(
       [&] { stage.onDevice = std::make_shared<DeviceGrid>(*context.device, stage.grid); });
   if (!stage.onDevice) return record;
-  const OnInterrupt ending(InterruptAct::end,
-                           "interrupted: the sheet is written, not all that shows the morph");
   context.attempt([&] {
     record =
         filmMorph(scene, designed, *context.device, simulation, options.film, files, options.quiet);
