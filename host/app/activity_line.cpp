@@ -4,7 +4,10 @@
 #include <unistd.h>
 
 #include <chrono>
+#include <condition_variable>
 #include <cstdio>
+#include <mutex>
+#include <thread>
 
 namespace morphgrid {
 namespace {
@@ -12,37 +15,46 @@ namespace {
 constexpr std::chrono::seconds kUnnoticed(1);
 constexpr std::chrono::seconds kBetweenRedraws(1);
 constexpr std::chrono::seconds kBetweenLines(5);
+constexpr const char* kClearLine = "\r\033[K";
 
 }  // namespace
 
-ActivityLine::ActivityLine(std::string what, bool quiet)
-    : what_(std::move(what)), onTerminal_(isatty(STDERR_FILENO) != 0) {
-  if (!quiet) watcher_ = std::thread([this] { watch(); });
+struct ActivityLine::State {
+  std::string what;
+  bool onTerminal = isatty(STDERR_FILENO) != 0;
+  std::mutex mutex;
+  std::condition_variable ended;
+  bool hasEnded = false;
+  bool isTold = false;
+};
+
+ActivityLine::ActivityLine(std::string what, bool quiet) : state_(std::make_shared<State>()) {
+  state_->what = std::move(what);
+  // Nobody waits for it: it ends soon after the activity has, without a word.
+  if (!quiet) std::thread([state = state_] { watch(*state); }).detach();
 }
 
 ActivityLine::~ActivityLine() {
   {
-    const std::lock_guard lock(mutex_);
-    hasEnded_ = true;
+    const std::lock_guard lock(state_->mutex);
+    state_->hasEnded = true;
+    if (state_->isTold && state_->onTerminal) std::fputs(kClearLine, stderr);
   }
-  ended_.notify_one();
-  if (watcher_.joinable()) watcher_.join();
+  state_->ended.notify_one();
 }
 
-void ActivityLine::watch() {
+void ActivityLine::watch(State& state) {
   const auto start = std::chrono::steady_clock::now();
-  std::unique_lock lock(mutex_);
-  bool isTold = false;
+  std::unique_lock lock(state.mutex);
   auto next = start + kUnnoticed;
-  while (!ended_.wait_until(lock, next, [this] { return hasEnded_; })) {
+  while (!state.ended.wait_until(lock, next, [&] { return state.hasEnded; })) {
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
-    fmt::print(stderr, "{}{}: {:.0f} s so far{}", onTerminal_ ? "\r\033[K" : "", what_,
-               seconds.count(), onTerminal_ ? "" : "\n");
+    fmt::print(stderr, "{}{}: {:.0f} s so far{}", state.onTerminal ? kClearLine : "", state.what,
+               seconds.count(), state.onTerminal ? "" : "\n");
     std::fflush(stderr);
-    isTold = true;
-    next += onTerminal_ ? kBetweenRedraws : kBetweenLines;
+    state.isTold = true;
+    next += state.onTerminal ? kBetweenRedraws : kBetweenLines;
   }
-  if (isTold && onTerminal_) std::fputs("\r\033[K", stderr);
 }
 
 }  // namespace morphgrid

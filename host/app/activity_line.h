@@ -1,8 +1,6 @@
 #pragma once
-#include <condition_variable>
-#include <mutex>
+#include <memory>
 #include <string>
-#include <thread>
 
 namespace morphgrid {
 
@@ -17,14 +15,11 @@ class ActivityLine {
   ActivityLine& operator=(const ActivityLine&) = delete;
 
  private:
-  void watch();
+  struct State;
 
-  std::string what_;
-  bool onTerminal_;
-  std::mutex mutex_;
-  std::condition_variable ended_;
-  bool hasEnded_ = false;
-  std::thread watcher_;  ///< Last: it uses all of the above.
+  static void watch(State& state);
+
+  std::shared_ptr<State> state_;  ///< Shared with the thread that watches.
 };
 
 }  // namespace morphgrid
