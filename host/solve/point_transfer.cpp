@@ -1,34 +1,20 @@
 #include "solve/point_transfer.h"
 
 namespace morphgrid {
-namespace {
-
-std::vector<KernelResource> productResources(const PointLevel& fine, const PointLevel& coarse,
-                                             const TexelBuffer& levers) {
-  std::vector<KernelResource> resources = fine.matrixTexels();
-  const std::vector<KernelResource> written = coarse.matrixBuffers();
-  resources.insert(resources.end(), written.begin(), written.end());
-  resources.push_back({kBindingCoarseCentres, &coarse.centres().texels()});
-  resources.push_back({kBindingLevers, &levers.texels()});
-  return resources;
-}
-
-}  // namespace
-
 PointGrid coarsened(PointGrid points) { return {points.u / 2 + 1, points.v / 2 + 1}; }
 
 PointTransfer::PointTransfer(const Device& device, PointKernels& kernels, const PointLevel& fine,
-                             const PointLevel& coarse, double resolution)
+                             const PointLevel& coarse, const DeviceGrid& grid)
     : device_(device),
+      grid_(grid),
       fine_(fine),
       coarse_(coarse),
-      resolution_(resolution),
       levers_(device, static_cast<std::size_t>(fine.points().count()), TexelFormat::int4,
               MemoryKind::device),
       centresKernel_(kernels.levers.bind({{kBindingCentres, &fine.centres().texels()},
                                           {kBindingCoarseCentres, &coarse.centres().buffer()},
                                           {kBindingLevers, &levers_.buffer()}})),
-      product_(device, kernels.product, coarse.points(), productResources(fine, coarse, levers_)),
+      products_(productKernels(kernels)),
       restriction_(device, kernels.restriction, coarse.points(),
                    {{kBindingFineVector, &fine.result().texels()},
                     {kBindingCoarseCentres, &coarse.centres().texels()},
@@ -41,15 +27,39 @@ PointTransfer::PointTransfer(const Device& device, PointKernels& kernels, const 
                      {kBindingFineVector, &fine.iterate().texels()},
                      {kBindingFineResult, &fine.iterate().buffer()}}) {}
 
+std::vector<PointKernel> PointTransfer::productKernels(PointKernels& kernels) const {
+  std::vector<KernelResource> common = fine_.matrixTexels();
+  common.push_back({kBindingCoarseCentres, &coarse_.centres().texels()});
+  common.push_back({kBindingLevers, &levers_.texels()});
+  std::vector<PointKernel> products;
+  for (std::uint32_t n = 0; n < kStencilSize; ++n) {
+    std::vector<KernelResource> resources = common;
+    coarse_.blocks(n).appendBuffers(resources, kBindingCoarseMatrix);
+    products.emplace_back(device_, kernels.product, coarse_.points(), resources);
+  }
+  return products;
+}
+
 TransferPush PointTransfer::push() const {
-  return {sizeOf(fine_.points()), sizeOf(coarse_.points()), static_cast<float>(resolution_), 0};
+  TransferPush push{};
+  push.fineSize = sizeOf(fine_.points());
+  push.coarseSize = sizeOf(coarse_.points());
+  push.resolution = static_cast<float>(grid_.resolution());
+  push.shearSquared = static_cast<float>(grid_.shearSquared());
+  return push;
 }
 
 void PointTransfer::recordCentres(CommandStream& stream) const {
   dispatchPoints(device_, stream, centresKernel_, push(), fine_.points());
 }
 
-void PointTransfer::recordProduct(CommandStream& stream) const { product_.record(stream, push()); }
+void PointTransfer::recordProduct(CommandStream& stream) const {
+  TransferPush push = this->push();
+  for (std::uint32_t n = 0; n < kStencilSize; ++n) {
+    push.direction = stencilOffset(n);
+    products_[n].record(stream, push);
+  }
+}
 
 void PointTransfer::recordRestriction(CommandStream& stream) const {
   restriction_.record(stream, push());

@@ -1,4 +1,5 @@
 #pragma once
+#include "solve/device_grid.h"
 #include "solve/point_level.h"
 
 namespace morphgrid {
@@ -6,14 +7,14 @@ namespace morphgrid {
 /// How many points a level has whose every second point the next coarser one keeps, and the last.
 PointGrid coarsened(PointGrid points);
 
-/// Between a coarse level and the next coarser one: linked interpolation of rigid motions P
-/// (shaders/solve/transfer.glsl), its transpose, and the Galerkin product. Rigid motions of the
-/// whole and constant curvature come through exactly.
+/// Between a coarse level and the next coarser one: interpolation of rigid motions P
+/// (shaders/solve/interpolation.glsl), its transpose, and the Galerkin product. Rigid motions of
+/// the whole and constant curvature come through exactly.
 class PointTransfer {
  public:
-  /// Keeps references. resolution: of the centres, see DeviceGrid.
+  /// Keeps references.
   PointTransfer(const Device& device, PointKernels& kernels, const PointLevel& fine,
-                const PointLevel& coarse, double resolution);
+                const PointLevel& coarse, const DeviceGrid& grid);
   PointTransfer(const PointTransfer&) = delete;
 
   /// Takes the fine level's centres: the coarse ones, and levers of the interpolation.
@@ -26,15 +27,16 @@ class PointTransfer {
   void recordProlongation(CommandStream& stream) const;
 
  private:
+  std::vector<PointKernel> productKernels(PointKernels& kernels) const;
   TransferPush push() const;
 
   const Device& device_;
+  const DeviceGrid& grid_;
   const PointLevel& fine_;
   const PointLevel& coarse_;
-  double resolution_;
   TexelBuffer levers_;
   ComputeKernel centresKernel_;
-  PointKernel product_;
+  std::vector<PointKernel> products_;  ///< A direction of the stencil each.
   PointKernel restriction_;
   PointKernel prolongation_;
 };
