@@ -45,6 +45,22 @@ Matrix6d blockAt(const BlockField& field, int point) {
   return block;
 }
 
+/// From a point to the one whose motion the block multiplies.
+Eigen::Vector2i stencilOffset(std::uint32_t direction) {
+  switch (direction) {
+    case kStencilEast:
+      return {1, 0};
+    case kStencilNorth:
+      return {0, 1};
+    case kStencilNorthEast:
+      return {1, 1};
+    case kStencilNorthWest:
+      return {-1, 1};
+    default:
+      return {0, 0};
+  }
+}
+
 /// In the order in which coarsest_solve.comp reads it.
 std::vector<vec4> packInverse(const Eigen::MatrixXd& inverse) {
   const Eigen::Index halfMotions = inverse.rows() / 3;
@@ -140,11 +156,11 @@ Eigen::MatrixXd CoarseLevels::coarsestMatrix() const {
   const PointGrid points = level.points();
   Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(6 * points.count(), 6 * points.count());
   for (std::uint32_t direction = 0; direction < kStencilSize; ++direction) {
-    const ivec2 offset = stencilOffset(direction);
+    const Eigen::Vector2i offset = stencilOffset(direction);
     for (int j = 0; j < points.v; ++j) {
       for (int i = 0; i < points.u; ++i) {
-        const int u = i + offset.x;
-        const int v = j + offset.y;
+        const int u = i + offset.x();
+        const int v = j + offset.y();
         if (u < 0 || u >= points.u || v >= points.v) {
           continue;
         }

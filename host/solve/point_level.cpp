@@ -64,11 +64,6 @@ void BlockField::appendBuffers(std::vector<KernelResource>& resources,
   }
 }
 
-ivec2 stencilOffset(std::uint32_t direction) {
-  constexpr std::array<ivec2, kStencilSize> kOffsets{{{0, 0}, {1, 0}, {0, 1}, {1, 1}, {-1, 1}}};
-  return kOffsets[direction];
-}
-
 PointKernels::PointKernels(const Device& device)
     : inversion(family(device, invert_blocks_comp_spirv, sizeof(SmoothingPush))),
       firstSmoothing(family(device, matrix_first_smoothing_comp_spirv, sizeof(SmoothingPush))),

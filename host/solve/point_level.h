@@ -34,9 +34,6 @@ class BlockField {
   std::vector<TexelBuffer> parts_;
 };
 
-/// From a point to the one whose motion a block multiplies: kStencilSelf ... kStencilNorthWest.
-ivec2 stencilOffset(std::uint32_t direction);
-
 /// The kernels of the coarse levels, each compiled once.
 struct PointKernels {
   explicit PointKernels(const Device& device);

@@ -1,6 +1,20 @@
 #include "solve/point_transfer.h"
 
 namespace morphgrid {
+namespace {
+
+std::vector<KernelResource> productResources(const PointLevel& fine, const PointLevel& coarse,
+                                             const TexelBuffer& levers) {
+  std::vector<KernelResource> resources = fine.matrixTexels();
+  const std::vector<KernelResource> written = coarse.matrixBuffers();
+  resources.insert(resources.end(), written.begin(), written.end());
+  resources.push_back({kBindingCoarseCentres, &coarse.centres().texels()});
+  resources.push_back({kBindingLevers, &levers.texels()});
+  return resources;
+}
+
+}  // namespace
+
 PointGrid coarsened(PointGrid points) { return {points.u / 2 + 1, points.v / 2 + 1}; }
 
 PointTransfer::PointTransfer(const Device& device, PointKernels& kernels, const PointLevel& fine,
@@ -14,7 +28,7 @@ PointTransfer::PointTransfer(const Device& device, PointKernels& kernels, const 
       centresKernel_(kernels.levers.bind({{kBindingCentres, &fine.centres().texels()},
                                           {kBindingCoarseCentres, &coarse.centres().buffer()},
                                           {kBindingLevers, &levers_.buffer()}})),
-      products_(productKernels(kernels)),
+      product_(device, kernels.product, coarse.points(), productResources(fine, coarse, levers_)),
       restriction_(device, kernels.restriction, coarse.points(),
                    {{kBindingFineVector, &fine.result().texels()},
                     {kBindingCoarseCentres, &coarse.centres().texels()},
@@ -26,19 +40,6 @@ PointTransfer::PointTransfer(const Device& device, PointKernels& kernels, const 
                      {kBindingLevers, &levers_.texels()},
                      {kBindingFineVector, &fine.iterate().texels()},
                      {kBindingFineResult, &fine.iterate().buffer()}}) {}
-
-std::vector<PointKernel> PointTransfer::productKernels(PointKernels& kernels) const {
-  std::vector<KernelResource> common = fine_.matrixTexels();
-  common.push_back({kBindingCoarseCentres, &coarse_.centres().texels()});
-  common.push_back({kBindingLevers, &levers_.texels()});
-  std::vector<PointKernel> products;
-  for (std::uint32_t n = 0; n < kStencilSize; ++n) {
-    std::vector<KernelResource> resources = common;
-    coarse_.blocks(n).appendBuffers(resources, kBindingCoarseMatrix);
-    products.emplace_back(device_, kernels.product, coarse_.points(), resources);
-  }
-  return products;
-}
 
 TransferPush PointTransfer::push() const {
   TransferPush push{};
@@ -53,13 +54,7 @@ void PointTransfer::recordCentres(CommandStream& stream) const {
   dispatchPoints(device_, stream, centresKernel_, push(), fine_.points());
 }
 
-void PointTransfer::recordProduct(CommandStream& stream) const {
-  TransferPush push = this->push();
-  for (std::uint32_t n = 0; n < kStencilSize; ++n) {
-    push.direction = stencilOffset(n);
-    products_[n].record(stream, push);
-  }
-}
+void PointTransfer::recordProduct(CommandStream& stream) const { product_.record(stream, push()); }
 
 void PointTransfer::recordRestriction(CommandStream& stream) const {
   restriction_.record(stream, push());

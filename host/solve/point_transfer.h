@@ -27,7 +27,6 @@ class PointTransfer {
   void recordProlongation(CommandStream& stream) const;
 
  private:
-  std::vector<PointKernel> productKernels(PointKernels& kernels) const;
   TransferPush push() const;
 
   const Device& device_;
@@ -36,7 +35,7 @@ class PointTransfer {
   const PointLevel& coarse_;
   TexelBuffer levers_;
   ComputeKernel centresKernel_;
-  std::vector<PointKernel> products_;  ///< A direction of the stencil each.
+  PointKernel product_;
   PointKernel restriction_;
   PointKernel prolongation_;
 };

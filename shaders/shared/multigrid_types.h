@@ -47,7 +47,6 @@ struct SmoothingPush {
 struct TransferPush {
   ivec2 fineSize;
   ivec2 coarseSize;
-  ivec2 direction;   // Of the stencil, where a block of it is made.
   float resolution;  // Spacings per step of the fixed-point positions.
   int firstRow;
   float shearSquared;  // Spacings^2, see shear_length.h.
@@ -66,7 +65,7 @@ struct CoarsestPush {
 
 #ifdef __cplusplus
 static_assert(sizeof(SmoothingPush) == 16);
-static_assert(sizeof(TransferPush) == 36);
+static_assert(sizeof(TransferPush) == 28);
 static_assert(offsetof(ColumnPush, firstRow) == sizeof(GridPush) + 8);
 static_assert(sizeof(CoarsestPush) == 4);
 }  // namespace morphgrid

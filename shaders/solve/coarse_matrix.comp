@@ -1,4 +1,4 @@
-// The Galerkin product P^T A P: of a coarse point's row the block in one direction of the stencil.
+// The Galerkin product P^T A P: five blocks of a coarse point's row.
 #version 450
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_control_flow_attributes : require
@@ -6,37 +6,55 @@
 #include "solve/interpolation.glsl"
 #include "solve/point_matrix.glsl"
 #include "solve/point_rows.glsl"
+#include "solve/store_stencil.glsl"
 
 layout(local_size_x_id = kConstantSubgroupSize) in;
 
-layout(std430, binding = kBindingCoarseMatrix + 0u) writeonly buffer Block0 { vec4 block0[]; };
-layout(std430, binding = kBindingCoarseMatrix + 1u) writeonly buffer Block1 { vec4 block1[]; };
-layout(std430, binding = kBindingCoarseMatrix + 2u) writeonly buffer Block2 { vec4 block2[]; };
+ivec2 point;
 
-// Fine blocks that lead from around the point by `offset` to around the other one.
-void addBlocks(inout Block sum, ivec2 point, ivec2 offset) {
-  ivec2 first = max(ivec2(-1), 2 * push.direction - offset - 1);
-  ivec2 last = min(ivec2(1), 2 * push.direction - offset + 1);
-  for (int v = first.y; v <= last.y; ++v) {
-    for (int u = first.x; u <= last.x; ++u) {
-      ivec2 row = finePointOf(point) + ivec2(u, v);
-      Block a = timesRestriction(interpolationOf(row, point), blockBetween(row, offset));
-      add(sum, 1.0, timesInterpolation(a, interpolationOf(row + offset, point + push.direction)));
+// Loops that run once at most: an `if` would not spare its work.
+#define WHERE(condition) for (bool isTrue = condition; isTrue; isTrue = false)
+
+// Adds P^T A between the point and a fine column, of the fine row that leads there by `offset`.
+void addRow(inout Block sum, ivec2 column, ivec2 offset) {
+  ivec2 row = column - offset;
+  WHERE(shareOf(row, point) > 0.0) {
+    add(sum, 1.0, timesRestriction(interpolationOf(row, point), blockBetween(row, offset)));
+  }
+}
+
+// Adds the part of the coarse column that lies in a direction from the point.
+void addColumn(inout Block sum, Block rows, ivec2 column, ivec2 direction) {
+  WHERE(shareOf(column, point + direction) > 0.0) {
+    add(sum, 1.0, timesInterpolation(rows, interpolationOf(column, point + direction)));
+  }
+}
+
+void addColumns(inout Stencil stencil, ivec2 column) {
+  Block rows = kNoBlock;
+  [[unroll]] for (int v = -1; v <= 1; ++v) {
+    [[unroll]] for (int u = -1; u <= 1; ++u) {
+      addRow(rows, column, ivec2(u, v));
     }
   }
+  addColumn(stencil.self, rows, column, ivec2(0, 0));
+  addColumn(stencil.east, rows, column, ivec2(1, 0));
+  addColumn(stencil.north, rows, column, ivec2(0, 1));
+  addColumn(stencil.northEast, rows, column, ivec2(1, 1));
+  addColumn(stencil.northWest, rows, column, ivec2(-1, 1));
 }
 
 void main() {
   matrixSize = push.fineSize;
-  ivec2 point = pointOf(push.firstRow);
+  point = pointOf(push.firstRow);
   if (!hasPoint(push.coarseSize, point)) {
     return;
   }
-  Block sum = kNoBlock;
-  [[unroll]] for (int v = -1; v <= 1; ++v) {
-    [[unroll]] for (int u = -1; u <= 1; ++u) {
-      addBlocks(sum, point, ivec2(u, v));
+  Stencil stencil = kNoStencil;
+  for (int v = -1; v <= 2; ++v) {
+    for (int u = -2; u <= 2; ++u) {
+      addColumns(stencil, finePointOf(point) + ivec2(u, v));
     }
   }
-  STORE_BLOCK(block0, block1, block2, writtenIndex(push.coarseSize), sum);
+  storeStencil(writtenIndex(push.coarseSize), stencil);
 }
