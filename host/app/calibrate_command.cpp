@@ -6,10 +6,12 @@
 #include "app/command_end.h"
 #include "app/command_options.h"
 #include "app/commands.h"
+#include "core/atomic_file.h"
 #include "core/create_folder.h"
+#include "core/visible_text.h"
 #include "print/calibration_fit.h"
+#include "print/calibration_output.h"
 #include "print/calibration_page.h"
-#include "print/pending_files.h"
 
 namespace morphgrid {
 namespace {
@@ -41,17 +43,24 @@ int thisYear() {
 }
 
 int fitMeasurements(const CalibrateArguments& arguments) {
-  const Printer printer = readPrinter(arguments.printer);
-  const PrintMaterial material = readPrintMaterial(arguments.material);
-  const CalibrationFit fit = fitCalibration(readMeasurements(arguments.table));
-  const PrintMaterial fitted =
-      fittedMaterial(material, fit, arguments.table.filename().string(), printer.name, thisYear());
   std::filesystem::path output = arguments.output;
   if (output.empty()) output = std::filesystem::path(arguments.table).replace_extension(".toml");
-  PendingFiles files;
-  files.write(output, printMaterialText(fitted));
-  files.commit();
-  for (const std::string& notice : calibrationNotices(fit)) spdlog::warn(notice);
+  requireReplaceable(output, {{arguments.table, "the table of measurements"},
+                              {arguments.printer, "the printer file"},
+                              {arguments.material, "the material file to start from"}});
+  const Printer printer = readPrinter(arguments.printer);
+  const PrintMaterial material = readPrintMaterial(arguments.material);
+  const std::string table = arguments.table.string();
+  const std::vector<Measurement> rows = readMeasurements(arguments.table);
+  const CalibrationFit fit = fitCalibration(rows, table);
+  const PrintMaterial fitted =
+      fittedMaterial(material, fit, arguments.table.filename().string(), printer.name, thisYear());
+  writeFileAtomically(output, printMaterialText(fitted));
+  std::vector<std::string> notices = calibrationNotices(fit, table);
+  if (const std::string notice = noticeOnHeights(rows, material); !notice.empty()) {
+    notices.push_back(notice);
+  }
+  for (const std::string& notice : notices) spdlog::warn(visibleText(notice, "\n"));
   if (!arguments.isQuiet) {
     fmt::print("{}material in {}\n", calibrationTable(material, fit), output.string());
   }
@@ -88,8 +97,10 @@ void addFit(CLI::App& calibrate, Action& action) {
   command->add_option("FILE.csv", arguments->table, "measured.csv of `calibrate print`, filled in")
       ->required();
   addTools(*command, *arguments);
-  command->add_option("--out", arguments->output,
-                      "material file to write [beside FILE.csv, FILE.toml]");
+  command->add_option(
+      "--out", arguments->output,
+      "material file to write [beside FILE.csv, FILE.toml]; replaces none but those "
+      "that this command wrote");
   addQuietFlag(*command, arguments->isQuiet);
   command->callback([&action, arguments] { action = [=] { return fitMeasurements(*arguments); }; });
 }

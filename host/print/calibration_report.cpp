@@ -8,6 +8,7 @@ namespace morphgrid {
 namespace {
 
 constexpr const char* kCalibrated = ", calibrated";
+constexpr const char* kFitSource = "a fit of own measurements, ";
 
 std::string inPercent(const FittedValue& value) {
   return fmt::format("{:+.2f} +- {:.2f} %", 100 * value.value, 100 * value.error);
@@ -15,6 +16,10 @@ std::string inPercent(const FittedValue& value) {
 
 /// More decimals than a bath will ever show make a file hard to read.
 double inFile(double share) { return std::round(share * 1e6) / 1e6; }
+
+std::string measurements(std::size_t count) {
+  return count == 1 ? "1 measurement is" : fmt::format("{} measurements are", count);
+}
 
 std::string caveatOf(const CalibrationFit& fit) {
   std::string text =
@@ -24,6 +29,9 @@ std::string caveatOf(const CalibrationFit& fit) {
   text += fit.tube ? fmt::format(", tubes {}", inPercent(*fit.tube))
                    : std::string("; growth of hubs and tubes in height not measured");
   if (!fit.mixes()) text += "; along and across do not add up";
+  if (!fit.doubtful.empty()) {
+    text += fmt::format("; {} far from the others", measurements(fit.doubtful.size()));
+  }
   return text;
 }
 
@@ -39,7 +47,7 @@ PrintMaterial fittedMaterial(const PrintMaterial& material, const CalibrationFit
                              const std::string& table, const std::string& printer, int year) {
   PrintMaterial fitted = material;
   if (!material.name.ends_with(kCalibrated)) fitted.name += kCalibrated;
-  fitted.source = fmt::format("a fit of own measurements, {}, printed with {}", table, printer);
+  fitted.source = fmt::format("{}{}, printed with {}", kFitSource, table, printer);
   fitted.year = year;
   fitted.caveat = caveatOf(fit);
   fitted.along.change = inFile(fit.along.value);
@@ -59,6 +67,29 @@ PrintMaterial fittedMaterial(const PrintMaterial& material, const CalibrationFit
   }
   if (fit.flattestStep) fitted.strut.heightStep = *fit.flattestStep;
   return fitted;
+}
+
+bool isFitted(const PrintMaterial& material) { return material.source.starts_with(kFitSource); }
+
+std::string listDoubtful(const CalibrationFit& fit, const std::string& table) {
+  std::string lines;
+  for (const DoubtfulMeasurement& row : fit.doubtful) {
+    lines += fmt::format("\n{}:{}: specimen {}: {} is {:.2f}, by the others it would be {:.2f}",
+                         table, row.line, row.specimen, row.column, row.measured, row.expected);
+  }
+  return lines;
+}
+
+std::string noticeOnHeights(const std::vector<Measurement>& rows, const PrintMaterial& material) {
+  constexpr double kSame = 1e-3;  // mm; tables have four decimals.
+  for (const Measurement& row : rows) {
+    if (std::abs(row.height - material.strutHeight()) <= kSame) continue;
+    return fmt::format(
+        "specimen {} was printed {:g} mm high, struts of {} are {:g} mm: give the material, and "
+        "later print with the --passes, that specimens were printed with",
+        row.specimen, row.height, material.name, material.strutHeight());
+  }
+  return "";
 }
 
 std::string calibrationTable(const PrintMaterial& before, const CalibrationFit& fit) {
@@ -84,8 +115,14 @@ std::string calibrationTable(const PrintMaterial& before, const CalibrationFit& 
   return text;
 }
 
-std::vector<std::string> calibrationNotices(const CalibrationFit& fit) {
+std::vector<std::string> calibrationNotices(const CalibrationFit& fit, const std::string& table) {
   std::vector<std::string> notices;
+  if (!fit.doubtful.empty()) {
+    notices.push_back(fmt::format(
+        "{} far from what the others say, but count as they do: right them, or put - in their "
+        "place{}",
+        measurements(fit.doubtful.size()), listDoubtful(fit, table)));
+  }
   if (!fit.mixes()) {
     notices.push_back(fmt::format(
         "struts laid half along, half across come out {} longer than the mean of both, more than "

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <fstream>
+#include <system_error>
 
 #include "core/output_error.h"
 
@@ -14,7 +15,10 @@ void PendingFiles::write(const std::filesystem::path& file, const std::string& t
   std::ofstream stream(files_.back()->path(), std::ios::binary);
   stream.write(text.data(), static_cast<std::streamsize>(text.size()));
   stream.close();
-  if (!stream || std::filesystem::is_directory(file)) {
+  if (std::filesystem::is_directory(file)) {
+    lost_.push_back(fmt::format("{}: cannot be written: {}", file.string(),
+                                std::make_error_code(std::errc::is_a_directory).message()));
+  } else if (!stream) {
     lost_.push_back(fmt::format(
         "{}: cannot be written: is the folder there, writable and not full?", file.string()));
   }
@@ -23,8 +27,7 @@ void PendingFiles::write(const std::filesystem::path& file, const std::string& t
 void PendingFiles::commit() {
   if (!lost_.empty()) {
     throw OutputError(
-        fmt::format("{}\nno file of the print was written: each belongs to the others",
-                    fmt::join(lost_, "\n")));
+        fmt::format("{}\nno file was written: each belongs to the others", fmt::join(lost_, "\n")));
   }
   for (const auto& file : files_) file->commit();
 }

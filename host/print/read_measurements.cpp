@@ -120,11 +120,11 @@ class MeasurementsReader {
     Measurement row{.line = line_};
     bool isGood = true;
     for (std::size_t n = 0; n < std::max(cells.size(), columns_.size()); ++n) {
-      const TableCell cell = n < cells.size() ? cells[n] : TableCell{1, ""};
+      const TableCell cell = n < cells.size() ? cells[n] : TableCell{cells.back().column, ""};
       const MeasurementColumn* column = n < columns_.size() ? columns_[n] : nullptr;
       isGood = (column ? readCell(*column, cell, row) : requireEmpty(cell)) && isGood;
     }
-    if (isGood) checkRow(row);
+    if (isGood) checkRow(row, cells);
   }
 
   bool requireEmpty(const TableCell& cell) {
@@ -146,21 +146,31 @@ class MeasurementsReader {
     return false;
   }
 
-  void checkRow(const Measurement& row) {
+  void checkRow(const Measurement& row, const std::vector<TableCell>& cells) {
     if (row.hub >= row.pitch) {
-      complain(1, fmt::format("hub_mm must be below pitch_mm, {}, got {}", row.pitch, row.hub));
+      complain(placeOf("hub_mm", cells),
+               fmt::format("hub_mm must be below pitch_mm, {}, got {}", row.pitch, row.hub));
       return;
     }
-    checkChange("length_after_mm", row.lengthAfter, row.length());
-    checkChange("height_after_mm", row.heightAfter, row.height + row.tube);
+    checkChange("length_after_mm", cells, row.lengthAfter, row.length());
+    checkChange("height_after_mm", cells, row.heightAfter, row.height + row.tube);
     rows_.push_back(row);
   }
 
-  void checkChange(const char* name, const std::optional<double>& after, double printed) {
+  /// Where a column of that name begins in a row.
+  int placeOf(std::string_view name, const std::vector<TableCell>& cells) const {
+    for (std::size_t n = 0; n < std::min(cells.size(), columns_.size()); ++n) {
+      if (columns_[n] && columns_[n]->name == name) return cells[n].column;
+    }
+    return 1;
+  }
+
+  void checkChange(const char* name, const std::vector<TableCell>& cells,
+                   const std::optional<double>& after, double printed) {
     const NumberRange range = afterBath(printed);
     if (after && !range.contains(*after)) {
-      complain(1, fmt::format("{} must be {}, since {} mm were printed, got {}", name,
-                              describe(range), printed, *after));
+      complain(placeOf(name, cells), fmt::format("{} must be {}, since {} mm were printed, got {}",
+                                                 name, describe(range), printed, *after));
     }
   }
 

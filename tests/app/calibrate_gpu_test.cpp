@@ -77,6 +77,29 @@ TEST_F(CalibrateCommand, SpecimensMeasuredMakeAMaterial) {
   EXPECT_THAT(material.source, HasSubstr("mine.csv"));
 }
 
+TEST_F(CalibrateCommand, NothingIsLostToAFit) {
+  ASSERT_EQ(calibrate({"print", "--out", path("specimens"), "--quiet"}).exitCode, 0);
+  const std::string table = filledIn(readFile(path("specimens/measured.csv")), -0.4, 0.06);
+  for (const char* name : {"mine.csv", "table.toml"}) {
+    folder_.write(name, table);
+    const ProcessResult result = calibrate({"fit", path(name), "--out", path(name)});
+    EXPECT_EQ(result.exitCode, 2) << result.output;
+    EXPECT_THAT(result.output, HasSubstr("is the table of measurements, which would be lost"));
+    EXPECT_EQ(readFile(path(name)), table);
+  }
+  EXPECT_EQ(calibrate({"fit", path("table.toml")}).exitCode, 2);
+  folder_.write("mine.toml", "[surface]\n");
+  EXPECT_EQ(calibrate({"fit", path("mine.csv")}).exitCode, 2);
+  EXPECT_EQ(readFile(path("mine.toml")), "[surface]\n");
+  for (int fit = 0; fit < 2; ++fit) {  // The second replaces the first's.
+    EXPECT_EQ(calibrate({"fit", path("mine.csv"), "--out", path("fitted.toml")}).exitCode, 0);
+  }
+  std::filesystem::create_directory(path("folder"));
+  const ProcessResult blocked = calibrate({"fit", path("mine.csv"), "--out", path("folder")});
+  EXPECT_EQ(blocked.exitCode, 5);
+  EXPECT_THAT(blocked.output, HasSubstr("folder: cannot be written: Is a directory"));
+}
+
 TEST_F(CalibrateCommand, RefusalsWriteNothing) {
   const ProcessResult wide = calibrate({"print", "--out", path("specimens"), "--pin", "15"});
   EXPECT_EQ(wide.exitCode, 2);

@@ -35,9 +35,9 @@ std::vector<Measurement> measured(double mixing = 0) {
   return rows;
 }
 
-std::string problemOf(const std::vector<Measurement>& rows) {
+std::string problemOf(const std::vector<Measurement>& rows, const std::string& table = "") {
   try {
-    fitCalibration(rows);
+    fitCalibration(rows, table);
   } catch (const InputError& error) {
     return error.what();
   }
@@ -96,7 +96,7 @@ TEST(CalibrationFit, TellsWhereMixingFails) {
   const CalibrationFit fit = fitCalibration(rows);
   EXPECT_FALSE(fit.mixes());
   EXPECT_NEAR(fit.mixing->value, 0.02, 4 * fit.mixing->error);
-  EXPECT_THAT(calibrationNotices(fit).front(), HasSubstr("more than three errors"));
+  EXPECT_THAT(calibrationNotices(fit, "t.csv").front(), HasSubstr("more than three errors"));
 }
 
 TEST(CalibrationFit, TooLittleIsTold) {
@@ -114,6 +114,92 @@ TEST(CalibrationFit, TooLittleIsTold) {
   rows = measured();
   rows[12].isFlattest = rows[13].isFlattest = true;
   EXPECT_THAT(problemOf(rows), HasSubstr("both marked as flattest"));
+}
+
+/// With calipers' errors, and lines as in a file.
+std::vector<Measurement> measuredByHand(unsigned seed) {
+  std::vector<Measurement> rows = measured();
+  std::mt19937_64 generator(seed);
+  std::normal_distribution<double> noise(0, 0.1);
+  for (std::size_t n = 0; n < rows.size(); ++n) {
+    rows[n].line = static_cast<int>(n) + 5;
+    if (rows[n].lengthAfter) *rows[n].lengthAfter += noise(generator);
+    if (rows[n].heightAfter) *rows[n].heightAfter += noise(generator) / 10;
+  }
+  return rows;
+}
+
+std::vector<int> doubtfulLines(const CalibrationFit& fit) {
+  std::vector<int> lines;
+  for (const DoubtfulMeasurement& row : fit.doubtful) lines.push_back(row.line);
+  return lines;
+}
+
+TEST(CalibrationFit, GoodMeasurementsAreNotDoubted) {
+  for (unsigned seed = 0; seed < 50; ++seed) {
+    EXPECT_THAT(fitCalibration(measuredByHand(seed)).doubtful, testing::IsEmpty()) << seed;
+  }
+}
+
+TEST(CalibrationFit, ExchangedChainsAreNamedOrRefused) {
+  for (std::size_t one = 0; one < 12; ++one) {
+    for (std::size_t other = 0; other < one; ++other) {
+      std::vector<Measurement> rows = measuredByHand(one);
+      const double difference = *rows[one].lengthAfter - *rows[other].lengthAfter;
+      if (std::abs(difference) < 3) continue;  // It does not matter much.
+      std::swap(rows[one].lengthAfter, rows[other].lengthAfter);
+      const auto named = [&](std::size_t n) {
+        return HasSubstr("mine.csv:" + std::to_string(rows[n].line) + ": specimen " +
+                         rows[n].specimen + ": length_after_mm is ");
+      };
+      const std::string problem = problemOf(rows, "mine.csv");
+      const std::string told =
+          problem.empty() ? calibrationNotices(fitCalibration(rows), "mine.csv").front() : problem;
+      EXPECT_THAT(told, testing::AllOf(named(one), named(other)));
+    }
+  }
+}
+
+TEST(CalibrationFit, AFitThatTellsNothingIsRefused) {
+  std::vector<Measurement> rows = measuredByHand(1);
+  std::mt19937_64 generator(2);
+  std::normal_distribution<double> noise(0, 6);
+  for (Measurement& row : rows) {
+    if (row.lengthAfter) *row.lengthAfter += noise(generator);
+  }
+  EXPECT_THAT(problemOf(rows, "mine.csv"),
+              testing::AllOf(testing::StartsWith("mine.csv: struts laid along come out "),
+                             HasSubstr("a standard error above 2 % is of no use")));
+}
+
+TEST(CalibrationFit, AMisreadHeightIsNamed) {
+  std::vector<Measurement> rows = measuredByHand(3);
+  *rows[1].heightAfter += 0.4;
+  *rows[15].heightAfter += 1;  // A tube.
+  const CalibrationFit fit = fitCalibration(rows);
+  EXPECT_THAT(doubtfulLines(fit), testing::UnorderedElementsAre(6, 20));
+  EXPECT_NEAR(fit.doubtful.front().expected, 1.2, 0.05);
+  const PrintMaterial fitted = fittedMaterial(sampleMaterial(), fit, "t.csv", "a printer", 2026);
+  EXPECT_THAT(fitted.caveat, HasSubstr("2 measurements are far from the others"));
+}
+
+TEST(CalibrationFit, ASpecimenMeasuredTwiceCountsTwice) {
+  std::vector<Measurement> rows = measuredByHand(4);
+  const CalibrationFit once = fitCalibration(rows);
+  rows.insert(rows.end(), rows.begin(), rows.begin() + 12);
+  const CalibrationFit twice = fitCalibration(rows);
+  EXPECT_EQ(twice.chains, 24);
+  EXPECT_NEAR(twice.along.value, once.along.value, 1e-12);
+  EXPECT_LT(twice.along.error, once.along.error);
+}
+
+TEST(CalibrationFit, SpecimensOfAnotherMaterialAreTold) {
+  std::vector<Measurement> rows = measured();
+  EXPECT_EQ(noticeOnHeights(rows, sampleMaterial()), "");
+  rows[3].height = 0.64;
+  EXPECT_THAT(noticeOnHeights(rows, sampleMaterial()),
+              HasSubstr("specimen 4 was printed 0.64 mm high, struts of PLA, 0.08 mm passes are "
+                        "0.8 mm"));
 }
 
 TEST(CalibrationFit, MakesAMaterialThatPrints) {
@@ -146,7 +232,7 @@ TEST(CalibrationFit, WhatWasNotMeasuredStays) {
   EXPECT_EQ(fitted.tube.change, sampleMaterial().tube.change);
   EXPECT_EQ(fitted.along.heightChange, sampleMaterial().along.heightChange);
   EXPECT_THAT(fitted.caveat, HasSubstr("height not measured"));
-  EXPECT_EQ(calibrationNotices(fit).size(), 2u);
+  EXPECT_EQ(calibrationNotices(fit, "t.csv").size(), 2u);
   EXPECT_THAT(calibrationTable(sampleMaterial(), fit), HasSubstr("not measured"));
 }
 
