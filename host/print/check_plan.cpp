@@ -8,6 +8,7 @@
 
 #include "core/error.h"
 #include "print/check_overlaps.h"
+#include "print/place_sheet.h"
 
 namespace morphgrid {
 namespace {
@@ -35,7 +36,9 @@ std::string largerScale(const PrintPlan& plan, double scale, const char* otherWa
 }
 
 void checkFit(const PrintPlan& plan, Reasons& reasons) {
-  if (plan.placing.room < 1 - 1e-9) {
+  if (plan.placing.room <= 0) {
+    reasons.push_back(whyNoRoom(plan.hub.diameter, plan.printer));
+  } else if (plan.placing.room < 1 - 1e-9) {
     reasons.push_back(fmt::format("the sheet does not fit {:g} x {:g} mm: at most {:g} mm per unit",
                                   plan.printer.bedX, plan.printer.bedY,
                                   roundedDown(plan.scale * plan.placing.room)));

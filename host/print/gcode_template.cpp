@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <sstream>
 
 namespace morphgrid {
 namespace {
@@ -44,6 +45,21 @@ std::vector<std::string> unknownPlaceholders(const std::string& text,
     return std::string();
   });
   return unknown;
+}
+
+std::vector<std::string> commandsIn(const std::string& gcode) {
+  std::vector<std::string> commands;
+  std::istringstream lines(gcode);
+  for (std::string line; std::getline(lines, line);) {
+    std::istringstream words(line.substr(0, line.find_first_of(";(")));
+    std::string command;
+    if (!(words >> command)) continue;
+    for (char& letter : command) {
+      if (letter >= 'a' && letter <= 'z') letter = static_cast<char>(letter - 'a' + 'A');
+    }
+    commands.push_back(command);
+  }
+  return commands;
 }
 
 std::string fillTemplate(const std::string& text, const TemplateValues& values) {

@@ -16,6 +16,9 @@ const std::vector<std::string>& templateNames();
 std::vector<std::string> unknownPlaceholders(const std::string& text,
                                              const std::vector<std::string>& known);
 
+/// The command of each line, `G1`, in capitals; without comments and empty lines.
+std::vector<std::string> commandsIn(const std::string& gcode);
+
 /// The text with its placeholders replaced, without line breaks at its end; placeholders that are
 /// not known stay.
 std::string fillTemplate(const std::string& text, const TemplateValues& values);

@@ -1,5 +1,7 @@
 #include "print/place_sheet.h"
 
+#include <fmt/format.h>
+
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <limits>
@@ -37,6 +39,12 @@ SheetPlacing placeSheet(const Eigen::Matrix2Xd& points, double hubs, const Print
     }
   }
   return best;
+}
+
+std::string whyNoRoom(double hub, const Printer& printer) {
+  return fmt::format(
+      "a hub of {:.2f} mm does not fit what a margin of {:g} mm leaves of {:g} x {:g} mm", hub,
+      printer.margin, printer.bedX, printer.bedY);
 }
 
 Eigen::Matrix2Xd onBed(const Eigen::Matrix2Xd& points, int degrees, const Printer& printer) {

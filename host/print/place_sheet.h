@@ -15,6 +15,9 @@ struct SheetPlacing {
 /// Turned as leaves most room. points: 2 x n with n >= 1, mm; hubs: their diameter at each point.
 SheetPlacing placeSheet(const Eigen::Matrix2Xd& points, double hubs, const Printer& printer);
 
+/// What to say where a hub of that diameter, mm, has no room on the bed.
+std::string whyNoRoom(double hub, const Printer& printer);
+
 /// The points turned so, with the middle of their extent at the bed's; from the bed's corner.
 Eigen::Matrix2Xd onBed(const Eigen::Matrix2Xd& points, int degrees, const Printer& printer);
 

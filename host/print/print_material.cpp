@@ -5,6 +5,7 @@
 #include "core/key_place.h"
 #include "core/read_toml_key.h"
 #include "core/write_toml_keys.h"
+#include "print/print_file_kind.h"
 
 namespace morphgrid {
 namespace {
@@ -13,6 +14,8 @@ using Material = PrintMaterial;
 using MaterialKey = TomlKey<Material>;
 using MaterialSection = TomlKeySection<Material>;
 
+constexpr NumberRange kSpeeds = fromTo(1, 1000);
+constexpr NumberRange kPassHeights = fromTo(0.01, 2);
 constexpr IntegerRange kFewCounts{1, 1000};
 constexpr const char* kErrorMeaning =
     "Standard error of `change`, as `calibrate fit` finds it; 0: not known.";
@@ -22,10 +25,10 @@ MaterialKey requiredText(const char* name, std::string Material::*text, const ch
   return {.name = name, .value = textKey(at(text)), .isRequired = true, .meaning = meaning};
 }
 
-MaterialKey temperatureKey(const char* name, double Material::*value, bool isRequired,
-                           const char* meaning) {
+MaterialKey temperatureKey(const char* name, double Material::*value, const NumberRange& range,
+                           bool isRequired, const char* meaning) {
   return {.name = name,
-          .value = numberKey(at(value), above(0)),
+          .value = numberKey(at(value), range),
           .unit = "degrees C",
           .isRequired = isRequired,
           .meaning = meaning};
@@ -42,14 +45,17 @@ MaterialSection materialTopKeys() {
            requiredText("caveat", &Material::caveat,
                         "How far they can be trusted; shown in every report."),
            {.name = "density",
-            .value = numberKey(at(&Material::density), above(0)),
+            .value = numberKey(at(&Material::density), fromTo(0.1, 25)),
             .unit = "g/cm^3",
             .meaning = ""},
-           temperatureKey("glass_transition", &Material::glassTransition, false,
+           temperatureKey("glass_transition", &Material::glassTransition, fromTo(1, 300), false,
                           "Where it becomes soft. Below the bath's."),
-           temperatureKey("bath", &Material::bath, false, "Of the water in which it morphs."),
-           temperatureKey("nozzle_temperature", &Material::nozzleTemperature, true, ""),
-           temperatureKey("bed_temperature", &Material::bedTemperature, true, ""),
+           temperatureKey("bath", &Material::bath, fromTo(1, 300), false,
+                          "Of the water in which it morphs."),
+           temperatureKey("nozzle_temperature", &Material::nozzleTemperature, fromTo(100, 500),
+                          true, ""),
+           temperatureKey("bed_temperature", &Material::bedTemperature, fromTo(0, 200), true,
+                          "0: it stays cold."),
            {.name = "fan",
             .value = numberKey(at(&Material::fan), fromTo(0, 1)),
             .unit = "share",
@@ -68,12 +74,12 @@ MaterialSection strutKeys() {
             .isRequired = true,
             .meaning = "On top of each other."},
            {.name = "pass_height",
-            .value = numberKey(at(&Material::strut, &Passes::passHeight), above(0)),
+            .value = numberKey(at(&Material::strut, &Passes::passHeight), kPassHeights),
             .unit = "mm",
             .isRequired = true,
             .meaning = "In the middle pass."},
            {.name = "height_step",
-            .value = numberKey(at(&Material::strut, &Passes::heightStep), NumberRange()),
+            .value = numberKey(at(&Material::strut, &Passes::heightStep), fromTo(-1, 1)),
             .unit = "mm",
             .meaning = "By how much each pass is higher than the one below, against curling."}}};
 }
@@ -82,7 +88,7 @@ MaterialSection layKeys(const char* name, Lay Material::*lay, const char* lines)
   return {
       name,
       {{.name = "speed",
-        .value = numberKey(at(lay, &Lay::speed), above(0)),
+        .value = numberKey(at(lay, &Lay::speed), kSpeeds),
         .unit = "mm/s",
         .meaning = ""},
        {.name = "change",
@@ -111,7 +117,7 @@ MaterialSection hubKeys() {
             .unit = "passes",
             .meaning = "Rings are laid every so many passes, and are as many times higher."},
            {.name = "speed",
-            .value = numberKey(at(&Material::hub, &Hub::speed), above(0)),
+            .value = numberKey(at(&Material::hub, &Hub::speed), kSpeeds),
             .unit = "mm/s",
             .meaning = ""},
            {.name = "change",
@@ -135,11 +141,11 @@ MaterialSection tubeKeys() {
   using Tube = Material::TubeRings;
   return {"tube",
           {{.name = "pass_height",
-            .value = numberKey(at(&Material::tube, &Tube::passHeight), above(0)),
+            .value = numberKey(at(&Material::tube, &Tube::passHeight), kPassHeights),
             .unit = "mm",
             .meaning = "Rounded, so that passes fill the tube's height."},
            {.name = "speed",
-            .value = numberKey(at(&Material::tube, &Tube::speed), above(0)),
+            .value = numberKey(at(&Material::tube, &Tube::speed), kSpeeds),
             .unit = "mm/s",
             .meaning = ""},
            {.name = "change",
@@ -198,6 +204,7 @@ std::string printMaterialText(const PrintMaterial& material) {
 
 PrintMaterial readPrintMaterial(const std::filesystem::path& file) {
   TomlReader reader(file, parseToml(file));
+  requireKind(PrintFileKind::material, file, reader.document());
   PrintMaterial material;
   readSections(reader, printMaterialKeys(), material);
   if (reader.problems.empty()) checkMaterial(reader, material);

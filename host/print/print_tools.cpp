@@ -1,7 +1,5 @@
 #include "print/print_tools.h"
 
-#include <fmt/format.h>
-
 #include <cmath>
 #include <numbers>
 
@@ -60,8 +58,7 @@ double largestScale(const PrintTools& tools, const Eigen::Matrix2Xd& sheet) {
   const double hub = hubOf(tools).diameter;
   const double largest = placeSheet(sheet, hub, tools.printer).room;
   if (largest <= 0) {
-    throw InputError(fmt::format("a hub of {:.2f} mm does not fit {:g} x {:g} mm", hub,
-                                 tools.printer.bedX, tools.printer.bedY));
+    throw InputError(whyNoRoom(hub, tools.printer));
   }
   return roundedDown(largest);
 }

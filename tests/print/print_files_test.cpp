@@ -1,4 +1,5 @@
 // Printer and material files: what ships can be read, what is wrong is told.
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -76,6 +77,55 @@ TEST(PrintFiles, WhatIsWrongWithAPrinterIsTold) {
   EXPECT_THAT(problemsOf(readPrinter, replaced(printerText(), "lift =", "lift_height =")),
               HasSubstr("lift_height"));
   EXPECT_THAT(problemsOf(readPrinter, "name = \"x\"\n"), HasSubstr("bed"));
+}
+
+TEST(PrintFiles, NumbersThatNoPrinterHasAreRefused) {
+  const auto refused = [](const char* key, const char* value, const char* by) {
+    const std::string problem =
+        problemsOf(readPrinter, replaced(printerText(), fmt::format("\n{} = {}", key, value),
+                                         fmt::format("\n{} = {}", key, by)));
+    EXPECT_THAT(problem, testing::AllOf(HasSubstr(fmt::format("{} must be a number", key)),
+                                        HasSubstr("got ")))
+        << by;
+  };
+  refused("travel_speed", "150", "1e-9");
+  refused("retract_speed", "35", "0.001");
+  refused("retract", "0.7", "1e9");
+  refused("filament_diameter", "1.75", "1e-9");
+  refused("acceleration", "1000", "1e-300");
+  refused("margin", "5", "3000");
+  refused("lift", "0.2", "1e9");
+  refused("jerk", "8", "1e-12");
+  EXPECT_THAT(problemsOf(readPrinter, replaced(printerText(), "\nmargin = 5", "\nmargin = 105")),
+              HasSubstr("margin leaves nothing of the bed of 250 x 210 mm, got 105"));
+  EXPECT_THAT(problemsOf(readPrintMaterial, replaced(materialText(), "nozzle_temperature = 190",
+                                                     "nozzle_temperature = 5000")),
+              HasSubstr("nozzle_temperature must be a number >= 100 and <= 500, got 5000"));
+  EXPECT_THAT(problemsOf(readPrintMaterial, replaced(materialText(), "speed = 30", "speed = 1e-6")),
+              HasSubstr("along.speed must be a number"));
+}
+
+TEST(PrintFiles, AStartWithAbsoluteExtrusionIsRefused) {
+  const auto startsWith = [](const char* by, const char* flavour = "marlin") {
+    return problemsOf(readPrinter, replaced(replaced(printerText(), "M83", by), "marlin", flavour));
+  };
+  EXPECT_EQ(startsWith("m83 ; relative"), "");
+  EXPECT_EQ(startsWith("M82\nM83"), "");
+  EXPECT_EQ(startsWith("M83\nG90", "klipper"), "");
+  EXPECT_THAT(startsWith("M82"), HasSubstr("start makes E absolute by its last M82"));
+  EXPECT_THAT(startsWith("M83\nM82"), HasSubstr("start makes E absolute by its last M82"));
+  EXPECT_THAT(startsWith("M83\nG90"), HasSubstr("start makes E absolute by its last G90"));
+  EXPECT_THAT(startsWith("; M83", "rrf"), HasSubstr("start must hold M83"));
+  EXPECT_THAT(startsWith("G91\nM83"), HasSubstr("start makes coordinates relative"));
+}
+
+TEST(PrintFiles, AFileOfAnotherKindIsToldInALine) {
+  EXPECT_EQ(problemsOf(readPrinter, materialText()),
+            "file.toml: is a material file, where a printer file is due");
+  EXPECT_EQ(problemsOf(readPrintMaterial, printerText()),
+            "file.toml: is a printer file, where a material file is due");
+  EXPECT_EQ(problemsOf(readPrinter, "[surface]\nkind = \"bezier\"\n"),
+            "file.toml: is a scene, where a printer file is due");
 }
 
 TEST(PrintFiles, WhatIsWrongWithAMaterialIsTold) {

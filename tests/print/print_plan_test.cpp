@@ -141,7 +141,12 @@ TEST(PrintPlan, RefusesWhatThePrinterCannotLay) {
   printer = samplePrinter();
   printer.bedX = 12;
   EXPECT_EQ(refusal(flatGrid({4, 4, 2}, 0.2), {}, printer),
-            "a hub of 3.66 mm does not fit 12 x 210 mm");
+            "a hub of 3.66 mm does not fit what a margin of 5 mm leaves of 12 x 210 mm");
+  printer = samplePrinter();
+  printer.margin = 104;
+  EXPECT_THAT(refusal(flatGrid({4, 4, 2}, 0.2), {.scale = 20}, printer),
+              testing::AllOf(HasSubstr("a hub of 3.66 mm does not fit what a margin of 104 mm"),
+                             testing::Not(HasSubstr("nan"))));
   material = sampleMaterial();
   material.hub.heightChange = 0.75;
   EXPECT_THAT(refusal(flatGrid({9, 7, 3}, 0.2), {.scale = 4.8, .enlargement = 1.3}, samplePrinter(),
