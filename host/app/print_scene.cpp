@@ -37,13 +37,57 @@ RunContext contextFor(const Scene& scene, const SceneDesign& designed,
   return context;
 }
 
+struct DesignKnowledge {
+  DesignBounds bounds;
+  std::vector<std::string> notices;
+};
+
+/// What a finished run's design knew of what it is printed with now.
+DesignBounds boundsOf(const RestoredRun& run) {
+  DesignBounds bounds = designBoundsOf(run.scene);
+  const std::optional<PrintAssessment>& then = run.simulation.record.print;
+  bounds.hasPrint = then.has_value();
+  if (!then || !run.scene.print) return bounds;
+  const ScenePrint& now = *run.scene.print;
+  std::string keys;
+  for (const std::string& tool : changedTools(*then, now.tools)) {
+    const auto& file = tool == "printer" ? now.printerFile : now.materialFile;
+    keys += fmt::format(" --set print.{}={}", tool, file.string());
+  }
+  if (!keys.empty()) bounds.anew = fmt::format("morphgrid run {}{}", run.sceneFile.string(), keys);
+  return bounds;
+}
+
+/// That the run knew another printer, or another material, or the same before it was changed.
+std::vector<std::string> noticesOnTools(const RestoredRun& run) {
+  std::vector<std::string> notices;
+  const std::optional<PrintAssessment>& then = run.simulation.record.print;
+  if (!then || !run.scene.print) return notices;
+  const PrintTools& now = run.scene.print->tools;
+  for (const std::string& tool : changedTools(*then, now)) {
+    const bool isPrinter = tool == "printer";
+    const std::string& before = isPrinter ? then->printer : then->material;
+    const std::string& name = isPrinter ? now.printer.name : now.material.name;
+    notices.push_back(
+        before == name ? fmt::format("the {} {} has changed since the run, whose design does "
+                                     "not know of it",
+                                     tool, name)
+                       : fmt::format("the run was designed for another {}, {}, and does not know "
+                                     "of {}",
+                                     tool, before, name));
+  }
+  return notices;
+}
+
 PrintOutcome print(const Scene& scene, const SceneDesign& designed, Simulation simulation,
-                   RunContext& context, const PrintOptions& options) {
+                   const DesignKnowledge& knowledge, RunContext& context,
+                   const PrintOptions& options) {
   const PrintTools tools = toolsOf(scene, options);
   const StrutGrid& grid = simulation.stage.grid;
   simulation.stage.onDevice.reset();  // Its memory is for what is laid.
-  PrintRecord record{.plan =
-                         planPrint(scene.name, grid, tools.printer, tools.material, tools.request)};
+  PrintRecord record{
+      .plan = planPrint(scene.name, grid, tools.printer, tools.material, tools.request),
+      .notices = knowledge.notices};
   context.attempt([&] {
     record.shape =
         simulateLaid(scene, designed.targets, simulation.stage, record.plan.rest, *context.device);
@@ -58,7 +102,7 @@ PrintOutcome print(const Scene& scene, const SceneDesign& designed, Simulation s
   }
   RunRecord& run = simulation.record;
   if (context.failure) run.deviceFailure = context.failure;
-  run.print = assessmentOf(record.plan);
+  run.print = assessmentOf(record.plan, tools, knowledge.bounds);
   record.verdict = judgeRun(run, record.shape ? &*record.shape : nullptr);
   createFolder(options.outputFolder, "--out " + options.outputFolder.string());
   writePrintFiles(record, options.outputFolder, options.files);
@@ -75,7 +119,8 @@ PrintOutcome printScene(Scene scene, const PrintOptions& options) {
   RunContext context = contextFor(scene, designed, device, options);
   CheckpointKeeper keeper({}, {});
   Simulation simulation = simulateScene(scene, designed, context, keeper, options.quiet);
-  return print(scene, designed, std::move(simulation), context, options);
+  return print(scene, designed, std::move(simulation), {designBoundsOf(scene), {}}, context,
+               options);
 }
 
 PrintOutcome printRun(const std::filesystem::path& state, const PrintOptions& options) {
@@ -83,7 +128,8 @@ PrintOutcome printRun(const std::filesystem::path& state, const PrintOptions& op
   run.scene.pictures.enabled = false;
   RunContext context = contextFor(run.scene, run.designed,
                                   deviceFor(run.scene, options.device, options.quiet), options);
-  return print(run.scene, run.designed, std::move(run.simulation), context, options);
+  const DesignKnowledge knowledge{boundsOf(run), noticesOnTools(run)};
+  return print(run.scene, run.designed, std::move(run.simulation), knowledge, context, options);
 }
 
 }  // namespace morphgrid

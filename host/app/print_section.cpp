@@ -37,6 +37,10 @@ std::optional<double> strutThicknessOf(const Scene& scene, const std::optional<d
   return std::max(bars.width, bars.height) / *mmPerUnit;
 }
 
+DesignBounds designBoundsOf(const Scene& scene) {
+  return {.hasPrint = scene.print.has_value(), .isEnforced = scene.design.enforceShrinkage};
+}
+
 std::optional<double> mmPerUnitOf(const Scene& scene, const Eigen::Matrix2Xd& sheet) {
   if (!scene.print) {
     return std::nullopt;

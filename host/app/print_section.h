@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "print/print_tools.h"
+#include "print/print_verdict.h"
 
 namespace morphgrid {
 
@@ -29,6 +30,9 @@ MaterialRequest materialOf(const Scene& scene, const std::optional<double>& mmPe
 
 /// How thick struts are for what comes close to them.
 std::optional<double> strutThicknessOf(const Scene& scene, const std::optional<double>& mmPerUnit);
+
+/// What a design of this scene knows of its print.
+DesignBounds designBoundsOf(const Scene& scene);
 
 /// The scene's own scale, else the largest at which the sheet fits the bed; nothing without
 /// [print]. sheet: 2 x n as printed. Throws InputError as largestScale().

@@ -63,6 +63,7 @@ RestoredRun restoreRun(const std::filesystem::path& file,
                        const std::vector<std::string>& overrides) {
   RunState state = readState(file);
   RestoredRun run{.scene = loadSceneText(state.scene, file, state.record.scene, overrides),
+                  .sceneFile = state.sceneFile,
                   .designed = designOf(state),
                   .simulation = {},
                   .inPlane = {},

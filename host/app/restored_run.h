@@ -10,6 +10,7 @@ RunState stateOf(const Scene& scene, const SceneDesign& designed, const Simulati
 /// A finished run, as its state has kept it.
 struct RestoredRun {
   Scene scene;
+  std::filesystem::path sceneFile;  ///< Where the scene came from.
   SceneDesign designed;
   Simulation simulation;  ///< Nothing is on the device.
   StrutGrid inPlane;      ///< The grid of the stage in the plane.

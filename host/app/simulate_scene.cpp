@@ -101,7 +101,7 @@ void assessPrintability(const Stage& stage, const Scene& scene, RunRecord& recor
   if (record.full) {
     record.shrink = computeShrink(stage.grid, stage.shrinkBounds);
     if (scene.print) {
-      record.print = assessPrint(stage.grid, scene.print->tools);
+      record.print = assessPrint(stage.grid, scene.print->tools, designBoundsOf(scene));
     } else {
       tell(adviseOn(*record.shrink, stage.shrinkBounds.material), Severity::printing);
     }

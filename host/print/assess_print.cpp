@@ -2,7 +2,9 @@
 
 #include <sstream>
 
+#include "core/digest.h"
 #include "core/error.h"
+#include "core/write_toml_keys.h"
 #include "print/print_plan.h"
 
 namespace morphgrid {
@@ -13,6 +15,16 @@ Obstacle obstacleOf(const std::string& reason) {
   const std::size_t colon = reason.rfind(": ");
   return colon == std::string::npos ? Obstacle{reason, ""}
                                     : Obstacle{reason.substr(0, colon), reason.substr(colon + 2)};
+}
+
+/// By whom and of what, and no more.
+PrintAssessment assessmentBy(const PrintTools& tools) {
+  const std::string printer = TomlKeyWriter(tools.printer).write(printerKeys());
+  return {.printer = tools.printer.name,
+          .material = tools.material.name,
+          .printerDigest = Digest().addList(printer).text(),
+          .materialDigest = Digest().addList(printMaterialText(tools.material)).text(),
+          .obstacles = {}};
 }
 
 double scaleOf(const StrutGrid& grid, const PrintTools& tools) {
@@ -26,26 +38,38 @@ double scaleOf(const StrutGrid& grid, const PrintTools& tools) {
 
 }  // namespace
 
-PrintAssessment assessmentOf(const PrintPlan& plan) {
-  PrintAssessment assessment{.printer = plan.printer.name,
-                             .material = plan.material.name,
-                             .scale = plan.scale,
-                             .enlargement = plan.enlargement,
-                             .obstacles = {}};
-  if (auto obstacle = strutsOutOfRange(plan)) {
+PrintAssessment assessmentOf(const PrintPlan& plan, const PrintTools& tools,
+                             const DesignBounds& design) {
+  PrintAssessment assessment = assessmentBy(tools);
+  assessment.scale = plan.scale;
+  assessment.enlargement = plan.enlargement;
+  if (auto obstacle = strutsOutOfRange(plan, design)) {
     assessment.obstacles.push_back(std::move(*obstacle));
   }
   return assessment;
 }
 
-PrintAssessment assessPrint(const StrutGrid& grid, const PrintTools& tools) {
+std::vector<std::string> changedTools(const PrintAssessment& run, const PrintTools& tools) {
+  const PrintAssessment now = assessmentBy(tools);
+  const bool hasDigests = !run.printerDigest.empty();
+  const bool isPrinter =
+      hasDigests ? run.printerDigest == now.printerDigest : run.printer == now.printer;
+  const bool isMaterial =
+      hasDigests ? run.materialDigest == now.materialDigest : run.material == now.material;
+  std::vector<std::string> changed;
+  if (!isPrinter) changed.emplace_back("printer");
+  if (!isMaterial) changed.emplace_back("material");
+  return changed;
+}
+
+PrintAssessment assessPrint(const StrutGrid& grid, const PrintTools& tools,
+                            const DesignBounds& design) {
   try {
-    return assessmentOf(planPrint("", grid, tools.printer, tools.material, tools.request));
+    return assessmentOf(planPrint("", grid, tools.printer, tools.material, tools.request), tools,
+                        design);
   } catch (const InputError& error) {
-    PrintAssessment assessment{.printer = tools.printer.name,
-                               .material = tools.material.name,
-                               .scale = scaleOf(grid, tools),
-                               .obstacles = {}};
+    PrintAssessment assessment = assessmentBy(tools);
+    assessment.scale = scaleOf(grid, tools);
     std::istringstream reasons(error.what());
     for (std::string reason; std::getline(reasons, reason);) {
       assessment.obstacles.push_back(obstacleOf(reason));

@@ -9,15 +9,22 @@
 namespace morphgrid {
 namespace {
 
-/// What a design may ask for, by the rule of thumb of the shortest strut.
-std::string boundsAdvice(const PrintPlan& plan) {
+/// What the design may do; where it gives numbers, by the rule of thumb of the shortest strut.
+std::string boundsAdvice(const PrintPlan& plan, const DesignBounds& design) {
+  constexpr const char* kOthers =
+      "fewer and longer struts, a larger bed, or smaller hubs (pin, loops)";
+  if (design.hasPrint && design.isEnforced) {
+    return design.anew.empty() ? std::string(kOthers)
+                               : fmt::format("run it anew with what it is printed with, {}; {}",
+                                             design.anew, kOthers);
+  }
   const ShrinkRange bounds =
       strutLayOf(plan.material, plan.hub.diameter).bounds(plan.figures.shortest);
   return fmt::format(
-      "a design that knows of it: a [print] section and design.enforce_shrinkage in the scene, or "
-      "grid.max_shrinkage = {:.2f} and material.least_shrinkage = {:.2f}; fewer and longer struts, "
-      "a larger bed, or smaller hubs (pin, loops)",
-      std::floor(100 * bounds.most) / 100, std::ceil(100 * bounds.least) / 100 + 0.0);
+      "a design that knows of it: {}design.enforce_shrinkage in the scene, or "
+      "grid.max_shrinkage = {:.2f} and material.least_shrinkage = {:.2f}; {}",
+      design.hasPrint ? "" : "a [print] section and ", std::floor(100 * bounds.most) / 100,
+      std::ceil(100 * bounds.least) / 100 + 0.0, kOthers);
 }
 
 }  // namespace
@@ -33,7 +40,7 @@ double stackHeight(const PrintPlan& plan) {
   return plan.shape.layers * plan.heights.strut + (plan.shape.layers - 1) * plan.heights.tube;
 }
 
-std::optional<Obstacle> strutsOutOfRange(const PrintPlan& plan) {
+std::optional<Obstacle> strutsOutOfRange(const PrintPlan& plan, const DesignBounds& design) {
   const LayFigures& figures = plan.figures;
   if (figures.outOfRange.empty()) {
     return std::nullopt;
@@ -43,7 +50,7 @@ std::optional<Obstacle> strutsOutOfRange(const PrintPlan& plan) {
                   "{} less, by {:.1f} % of their length at most",
                   figures.outOfRange.size(), figures.struts, figures.tooMuch, figures.tooLittle,
                   100 * figures.outOfRange.front().excess()),
-      boundsAdvice(plan)};
+      boundsAdvice(plan, design)};
 }
 
 std::string PrintVerdict::line() const {

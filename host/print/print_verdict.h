@@ -26,9 +26,17 @@ struct PrintVerdict {
   std::string line() const;
 };
 
+/// What a design knew of its print: on that depends what helps where struts are out of range.
+struct DesignBounds {
+  bool hasPrint = false;    ///< There is a [print].
+  bool isEnforced = false;  ///< design.enforce_shrinkage
+  /// What designs anew for what is printed with, a command; empty where the design did know it.
+  std::string anew = {};
+};
+
 struct PrintPlan;
 
 /// Struts that the material cannot make as short, or as long, as the design wants.
-std::optional<Obstacle> strutsOutOfRange(const PrintPlan& plan);
+std::optional<Obstacle> strutsOutOfRange(const PrintPlan& plan, const DesignBounds& design);
 
 }  // namespace morphgrid

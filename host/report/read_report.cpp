@@ -274,6 +274,8 @@ BarSizes readBars(const json& b) {
 PrintAssessment readPrint(const json& p) {
   PrintAssessment print{.printer = p.at("printer"),
                         .material = p.at("material"),
+                        .printerDigest = p.value("printer_digest", ""),
+                        .materialDigest = p.value("material_digest", ""),
                         .scale = number(p.at("scale_mm_per_unit")),
                         .enlargement = number(p.at("enlargement")),
                         .obstacles = {}};

@@ -239,6 +239,8 @@ ordered_json toJson(const std::vector<Obstacle>& obstacles) {
 ordered_json toJson(const PrintAssessment& p) {
   return {{"printer", p.printer},
           {"material", p.material},
+          {"printer_digest", p.printerDigest},
+          {"material_digest", p.materialDigest},
           {"scale_mm_per_unit", p.scale},
           {"enlargement", p.enlargement},
           {"obstacles", toJson(p.obstacles)}};

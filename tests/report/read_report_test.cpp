@@ -40,8 +40,13 @@ RunRecord fullRecord() {
   record.model = "frame";
   record.printedSheet = Eigen::Array2d(12.5, 25);
   record.bars = BarSizes{0.5, 0.25, 0.75, 0.125};
-  record.print = PrintAssessment{
-      "a printer", "a material", 1.5, 1.0625, {{"a strut is too long", "fewer nodes"}}};
+  record.print = PrintAssessment{"a printer",
+                                 "a material",
+                                 "p digest",
+                                 "m digest",
+                                 1.5,
+                                 1.0625,
+                                 {{"a strut is too long", "fewer nodes"}}};
   record.isInterrupted = true;
   record.deviceFailure = "lost";
   record.notices = {"one", "two"};
