@@ -30,7 +30,8 @@ Examples:
   morphgrid view out/egg_chair
   morphgrid devices
 
-Exit codes: 0 converged, 2 bad input, 3 not converged, or not printable (results written),
+Exit codes: 0 converged, 2 bad input, or what no printer could lay (nothing written),
+            3 not converged, or not printable as it is (results written),
             4 device failure or out of memory (what was solved before it is written),
             5 not all files, or not standard output, could be written (each is told),
             130 interrupted (report and state written, if the solver of a run had begun))";

@@ -1,5 +1,9 @@
 #include "app/command_options.h"
 
+#include <fmt/format.h>
+
+#include <charconv>
+
 namespace morphgrid {
 namespace {
 
@@ -26,6 +30,26 @@ void addSceneOrRunArguments(CLI::App& command, SceneArguments& arguments) {
       "scene file, see docs/scene_format.md; or a mesh, for which a scene is proposed; or a "
       "finished run: its folder or its state.safetensors",
       arguments);
+}
+
+CLI::Validator within(const NumberRange& range) {
+  const auto check = [range](std::string& text) -> std::string {
+    double number = 0;
+    if (CLI::detail::lexical_cast(text, number) && range.contains(number)) return "";
+    return fmt::format("must be {}, got {}", describe(range), text);
+  };
+  return {check, ""};
+}
+
+CLI::Validator wholeNumber() {
+  const auto check = [](std::string& text) -> std::string {
+    std::uint64_t number = 0;
+    const char* const end = text.data() + text.size();
+    const auto read = std::from_chars(text.data(), end, number);
+    if (read.ec == std::errc() && read.ptr == end) return "";
+    return fmt::format("must be an integer >= 0 and < 2^64, got {}", text);
+  };
+  return {check, ""};
 }
 
 void addDeviceOptions(CLI::App& command, DeviceOptions& options) {

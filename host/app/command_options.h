@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "core/number_range.h"
 #include "gpu/device.h"
 
 namespace morphgrid {
@@ -24,15 +25,20 @@ void addDeviceOptions(CLI::App& command, DeviceOptions& options);
 void addExplainFlag(CLI::App& command, bool& explains);
 void addQuietFlag(CLI::App& command, bool& isQuiet);
 
+/// Takes numbers of a range alone; says what it is in few words.
+CLI::Validator within(const NumberRange& range);
+/// Takes whole numbers from 0 on alone: CLI11 would take -1 for the largest there is.
+CLI::Validator wholeNumber();
+
 /// --pin, --clearance, --loops and --passes, into members of these names.
 template <typename Keys>
 void addHubOptions(CLI::App& command, Keys& keys) {
   command
       .add_option("--pin", keys.pin,
                   "diameter of the pins through hubs and tubes, mm [1.75, filament]")
-      ->check(CLI::Range(0.2, 20.0));
+      ->check(within(fromTo(0.2, 20)));
   command.add_option("--clearance", keys.clearance, "by how much wider their holes are, mm [0.2]")
-      ->check(CLI::Range(0.0, 5.0));
+      ->check(within(fromTo(0, 5)));
   command.add_option("--loops", keys.loops, "rings of a hub beside each other [2]")
       ->check(CLI::Range(1, 10));
   command

@@ -3,7 +3,6 @@
 #include "app/commands.h"
 #include "app/propose_files.h"
 #include "core/error.h"
-#include "print/print_material.h"
 #include "print/printer.h"
 
 namespace morphgrid {
@@ -27,9 +26,7 @@ double percentOf(const std::string& text) {
 
 void readMaterialInto(ProposalRequest& request, const std::vector<std::string>& material) {
   if (material.size() == 1) {
-    const PrintMaterial file = readPrintMaterial(material.front());
-    request.shrink = {-file.across.change, -file.along.change};
-    request.materialFile = material.front();
+    setMaterialFile(request, material.front());
   } else if (material.size() == 2) {
     request.shrink = {percentOf(material[0]) / 100, percentOf(material[1]) / 100};
     if (request.shrink.least >= request.shrink.most) {
@@ -67,7 +64,7 @@ void addNewCommand(CLI::App& app, Action& action) {
                    "longer side of the part of the mesh that is taken, in mm [100; with --printer "
                    "as large as fits]")
       ->type_name("MM")
-      ->check(CLI::PositiveNumber);
+      ->check(within(aboveUpTo(0, 1e6)));
   command->add_option("--nodes", request.nodesLong, "nodes along the longer side [20]")
       ->check(CLI::Range(4, 1000));
   command

@@ -8,7 +8,11 @@
 #include "app/command_options.h"
 #include "app/commands.h"
 #include "app/print_scene.h"
+#include "app/propose_files.h"
 #include "app/state_argument.h"
+#include "core/error.h"
+#include "core/read_file.h"
+#include "surface/load_mesh.h"
 
 namespace morphgrid {
 namespace {
@@ -56,25 +60,51 @@ PrintOutcome printStored(const std::filesystem::path& state, PrintOptions& optio
   return printRun(state, options);
 }
 
-PrintOutcome printAnew(const SceneArguments& arguments, PrintOptions& options) {
-  std::vector<std::string> overrides = arguments.overrides;
+/// The scene itself; of a mesh one that is proposed for what it is printed with.
+std::filesystem::path sceneToPrint(const PrintArguments& arguments) {
+  const std::filesystem::path& scene = arguments.scene.scene;
+  const PrintKeys& keys = arguments.keys;
+  if (!isMeshName(scene)) return scene;
+  if (keys.printer.empty() || keys.material.empty()) {
+    throw InputError(
+        fmt::format("{}: is a mesh, which says nothing of its print: name --printer "
+                    "and --material",
+                    scene.string()));
+  }
+  ProposalRequest request{.mesh = scene, .printerFile = keys.printer};
+  readPrinter(keys.printer);  // Its faults are told before the mesh is looked at.
+  setMaterialFile(request, keys.material);
+  return proposedScene(request, arguments.options.outputFolder, arguments.options.quiet);
+}
+
+PrintOutcome printAnew(const PrintArguments& arguments, PrintOptions& options) {
+  std::vector<std::string> overrides = arguments.scene.overrides;
   overrides.insert(overrides.end(), options.overrides.begin(), options.overrides.end());
-  const Scene scene = loadScene(arguments.scene, overrides);
+  const Scene scene = loadScene(sceneToPrint(arguments), overrides);
   if (options.outputFolder.empty()) {
     options.outputFolder = std::filesystem::path("out") / scene.name / "print";
   }
   return printScene(scene, options);
 }
 
+/// Scenes would tell of them as of --set.
+void requireFile(const char* option, const std::filesystem::path& file) {
+  if (file.empty()) return;
+  if (const auto why = whyUnreadable(file)) {
+    throw InputError(fmt::format("{} {}: cannot be read: {}", option, file.string(), *why));
+  }
+}
+
 int printGrid(const PrintArguments& arguments) {
+  requireFile("--printer", arguments.keys.printer);
+  requireFile("--material", arguments.keys.material);
   const auto state = findState(arguments.scene.scene);
   if (state) {
     refuseOverrides(arguments.scene.scene, *state, arguments.scene.overrides);
   }
   PrintOptions options = arguments.options;
   options.overrides = overridesOf(arguments.keys);
-  const PrintOutcome outcome =
-      state ? printStored(*state, options) : printAnew(arguments.scene, options);
+  const PrintOutcome outcome = state ? printStored(*state, options) : printAnew(arguments, options);
   const PrintRecord& record = outcome.record;
   if (!options.quiet) {
     if (!state) logNotices(outcome.run);
@@ -99,7 +129,7 @@ void addKeyOptions(CLI::App& command, PrintKeys& keys) {
   command
       .add_option("--scale", keys.scale,
                   "mm of the finished object per unit of the scene [the largest that fits]")
-      ->check(CLI::PositiveNumber);
+      ->check(within(fromTo(1e-6, 1e6)));
   addHubOptions(command, keys);
 }
 
@@ -115,7 +145,7 @@ void addToleranceOptions(CLI::App& command, std::optional<ToleranceRequest>& tol
                 set();
               },
               "what becomes of prints whose shrinks are off by this share, e.g. 0.1")
-          ->check(CLI::Range(1e-6, 0.5))
+          ->check(within(fromTo(1e-6, 0.5)))
           ->type_name("SHARE");
   command
       .add_option_function<int>(
@@ -135,6 +165,7 @@ void addToleranceOptions(CLI::App& command, std::optional<ToleranceRequest>& tol
             set();
           },
           "of random errors: the same seed, the same prints [1]")
+      ->check(wholeNumber())
       ->needs(share);
 }
 
@@ -151,7 +182,7 @@ void addPrintCommand(CLI::App& app, Action& action) {
       ->add_option("--enlarge", options.enlargement,
                    "how much larger than the run's sheet it is printed [1, or what leaves the "
                    "fewest struts out of range]")
-      ->check(CLI::Range(0.5, 2.0));
+      ->check(within(fromTo(0.5, 2)));
   command->add_option("--out", options.outputFolder,
                       "output folder [out/SCENE/print, or print in the run's folder]");
   addToleranceOptions(*command, options.tolerance);

@@ -14,6 +14,7 @@
 #include "core/interrupt.h"
 #include "core/output_error.h"
 #include "core/read_file.h"
+#include "print/print_material.h"
 #include "propose/propose_scene.h"
 #include "surface/load_mesh.h"
 
@@ -122,10 +123,15 @@ void tellProposal(const ProposedFiles& files) {
   std::fflush(stdout);
 }
 
-std::filesystem::path sceneFor(const std::filesystem::path& argument,
-                               const std::filesystem::path& folder, bool isQuiet) {
-  if (!isMeshName(argument)) return argument;
-  const ProposedFiles files = proposeFiles({.mesh = argument}, folder, isQuiet);
+void setMaterialFile(ProposalRequest& request, const std::filesystem::path& file) {
+  const PrintMaterial material = readPrintMaterial(file);
+  request.shrink = {-material.across.change, -material.along.change};
+  request.materialFile = file;
+}
+
+std::filesystem::path proposedScene(const ProposalRequest& request,
+                                    const std::filesystem::path& folder, bool isQuiet) {
+  const ProposedFiles files = proposeFiles(request, folder, isQuiet);
   const std::string lost = fmt::format("{}", fmt::join(files.lost, "\n"));
   if (!files.hasScene) throw OutputError(lost);
   if (!lost.empty()) spdlog::warn(lost);
@@ -133,6 +139,11 @@ std::filesystem::path sceneFor(const std::filesystem::path& argument,
     tellProposal(files);
   }
   return files.scene;
+}
+
+std::filesystem::path sceneFor(const std::filesystem::path& argument,
+                               const std::filesystem::path& folder, bool isQuiet) {
+  return isMeshName(argument) ? proposedScene({.mesh = argument}, folder, isQuiet) : argument;
 }
 
 }  // namespace morphgrid

@@ -25,6 +25,15 @@ ProposedFiles proposeFiles(const ProposalRequest& request, std::filesystem::path
 /// Prints what was decided, and where it is.
 void tellProposal(const ProposedFiles& files);
 
+/// Says which material a proposal is for: what its struts lose. Throws InputError when the file
+/// cannot be read.
+void setMaterialFile(ProposalRequest& request, const std::filesystem::path& file);
+
+/// A scene for the mesh of a request, written into a folder as above; told, unless quiet. Throws
+/// OutputError when it cannot be written.
+std::filesystem::path proposedScene(const ProposalRequest& request,
+                                    const std::filesystem::path& folder, bool isQuiet);
+
 /// The scene that a command works on: the argument itself, or, where it is a mesh, one that is
 /// proposed for it as above. Throws OutputError when that cannot be written.
 std::filesystem::path sceneFor(const std::filesystem::path& argument,

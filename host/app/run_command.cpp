@@ -72,7 +72,7 @@ void addRunCommand(CLI::App& app, Action& action) {
   command
       ->add_option("--checkpoint-minutes", options.checkpoint.minutes,
                    "between two checkpoints [5]")
-      ->check(CLI::PositiveNumber)
+      ->check(within(aboveUpTo(0, 1e6)))
       ->needs(checkpoint);
   command->add_option("--resume", options.resumeFrom,
                       "go on where the run stood that wrote this checkpoint");

@@ -77,7 +77,7 @@ void addViewCommand(CLI::App& app, Action& action) {
                    "turn the scene and solve it again and again for so many seconds, print how "
                    "smoothly that went, and close")
       ->type_name("SECONDS")
-      ->check(CLI::PositiveNumber);
+      ->check(within(aboveUpTo(0, 1e6)));
   command->callback([&action, arguments] { action = [=] { return view(*arguments); }; });
 }
 

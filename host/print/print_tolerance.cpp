@@ -35,9 +35,9 @@ std::string describe(const DisturbedPrints& kind) {
 
 std::string describe(const ToleranceLever& lever) {
   const std::string slope =
-      lever.firstOrder ? fmt::format(", {:+.2g} to first order", *lever.firstOrder) : "";
-  return fmt::format("{:+.2g} / {:+.2g} %{}; moves {:.2g} %", lever.more, lever.less, slope,
-                     lever.movement);
+      lever.firstOrder ? fmt::format(" (to first order {:+.2g})", *lever.firstOrder) : "";
+  return fmt::format("{:+.2g} if it shrinks more{}, {:+.2g} if less; the layer moves by {:.2g} %",
+                     lever.more, slope, lever.less, lever.movement);
 }
 
 std::string whatJudged(const PrintTolerance& tolerance) {
@@ -104,7 +104,7 @@ std::string toleranceTable(const PrintTolerance& tolerance) {
   for (const DisturbedPrints& kind : tolerance.kinds) {
     text += toleranceRow("    " + kind.what, describe(kind));
   }
-  text += toleranceRow("  what matters most", "change of RMS, more / less shrink");
+  text += toleranceRow("  what matters most", "change of the distance (RMS), in percentage points");
   for (const auto* levers : {&tolerance.tiers, &tolerance.struts}) {
     for (const ToleranceLever& lever : *levers) {
       text += toleranceRow("    " + lever.what, describe(lever));

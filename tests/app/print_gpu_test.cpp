@@ -11,6 +11,7 @@
 #include "core/read_file.h"
 #include "tests/app/scene_files.h"
 #include "tests/app/subprocess.h"
+#include "tests/propose/bowls.h"
 #include "tests/support/dome_scene.h"
 #include "tests/support/folders.h"
 #include "tests/support/golden_text.h"
@@ -154,6 +155,42 @@ TEST_F(PrintCommand, WhatIsDesignedForItsPrintIsPrintable) {
   }
 }
 
+TEST_F(PrintCommand, AMeshIsPrintedByASceneThatIsProposedForIt) {
+  folder_.write("bowl.obj", toObj(bowl(12)));
+  const ProcessResult printed =
+      print("bowl.obj", {"--out", path("out"), "--set", "grid.nodes_long=8"});
+  EXPECT_THAT(printed.exitCode, testing::AnyOf(0, 3)) << printed.output;
+  EXPECT_THAT(readFile(path("out/bowl.toml")), HasSubstr("prusa_mk4.toml"));
+  EXPECT_TRUE(std::filesystem::exists(path("out/tier_1.gcode")));
+  const ProcessResult alone = runMorphgrid({"print", path("bowl.obj")});
+  EXPECT_EQ(alone.exitCode, 2);
+  EXPECT_THAT(alone.output, HasSubstr("is a mesh, which says nothing of its print"));
+}
+
+TEST_F(PrintCommand, AnotherMaterialThanTheRunsIsTold) {
+  folder_.write("p.toml", kGoodPatch);
+  folder_.write("scene.toml",
+                fmt::format("{}layers = 3\nnodes_long = 6\n[design]\nenforce_shrinkage = true\n"
+                            "[print]\nprinter = '{}'\nmaterial = '{}'\n",
+                            kBezierScene, (sourceFolder() / "printers/prusa_mk4.toml").string(),
+                            (sourceFolder() / "materials/pla_0.08.toml").string()));
+  ASSERT_EQ(runMorphgrid({"run", path("scene.toml"), "--out", path("out"), "--quiet", "--set",
+                          "output.pictures=false"})
+                .exitCode,
+            0);
+  std::string weak = readFile(sourceFolder() / "materials/pla_0.08.toml");
+  weak.replace(weak.find("change = -0.42"), 14, "change = -0.05");
+  folder_.write("weak.toml", weak);
+  const ProcessResult result =
+      runMorphgrid({"print", path("out"), "--material", path("weak.toml"), "--enlarge", "1"});
+  EXPECT_EQ(result.exitCode, 3) << result.output;
+  EXPECT_THAT(result.output, HasSubstr("PLA, 0.08 mm passes has changed since the run"));
+  EXPECT_THAT(result.output,
+              HasSubstr("run it anew with what it is printed with, morphgrid run " +
+                        path("scene.toml") + " --set print.material=" + path("weak.toml")));
+  EXPECT_THAT(result.output, Not(HasSubstr("a [print] section")));
+}
+
 TEST_F(PrintCommand, StrutsOutOfRangeAreWrittenAndTold) {
   const ProcessResult result =
       print("dome.toml", {"--out", path("out"), "--set", "surface.theta_u=[1.2, -1.2]"});
@@ -174,7 +211,8 @@ TEST_F(PrintCommand, RefusalsWriteNothing) {
   };
   refused({"--scale", "60"}, "the sheet does not fit 250 x 210 mm: at most ");
   refused({"--scale", "4"}, "struts are too short for hubs of 3.66 mm at 4 mm per unit");
-  refused({"--scale", "-4"}, "--scale");
+  refused({"--scale", "-4"}, "--scale: must be a number >= 1e-06 and <= 1e+06, got -4");
+  refused({"--tolerance", "0.1", "--seed", "-1"}, "--seed: must be an integer >= 0");
   refused({"--passes", "40"}, "but a strut of 3.20 mm swells to 4.86 mm: ");
   refused({"--pin", "20"}, "struts are too short");
   refused({"--pin", "40"}, "--pin");
@@ -236,7 +274,7 @@ TEST_F(PrintCommand, AFolderThatCannotBeWrittenStaysAsItWas) {
   std::filesystem::create_directories(path("out/assembly.html"));
   const ProcessResult result = print("dome.toml", {"--out", path("out")});
   EXPECT_EQ(result.exitCode, 5) << result.output;
-  EXPECT_THAT(result.output, HasSubstr("tier_2.gcode: cannot be written"));
+  EXPECT_THAT(result.output, HasSubstr("tier_2.gcode: cannot be written: Is a directory"));
   EXPECT_THAT(result.output, HasSubstr("assembly.html: cannot be written"));
   EXPECT_FALSE(std::filesystem::exists(path("out/tier_1.gcode")));
   EXPECT_FALSE(std::filesystem::exists(path("out/print.json")));

@@ -32,7 +32,10 @@ TEST(PrintTolerance, JumpsAreCountedAndTold) {
   const std::string table = toleranceTable(tolerance);
   EXPECT_THAT(table, HasSubstr("distance to the target, % RMS / most, by the model frame"));
   EXPECT_THAT(table, HasSubstr("2 / 2.9 / 4 %, 1 in another equilibrium, 1 not at rest"));
-  EXPECT_THAT(table, HasSubstr("+0.013 / -0.011 %, +0.012 to first order; moves 0.05 %"));
+  EXPECT_THAT(
+      table,
+      HasSubstr("+0.013 if it shrinks more (to first order +0.012), -0.011 if less; the layer "
+                "moves by 0.05 %"));
   ASSERT_EQ(toleranceNotices(tolerance).size(), 1u);
   EXPECT_THAT(toleranceNotices(tolerance)[0], HasSubstr("1 of 3 prints with errors of 10 %"));
   EXPECT_THAT(tolerancePage(tolerance), HasSubstr("<td>each tier</td>"));
