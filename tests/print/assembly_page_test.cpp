@@ -25,7 +25,7 @@ PrintRecord sampleRecord() {
   for (int tier = 0; tier < 2; ++tier) {
     record.tiers.push_back(writeTier(record.plan, tier, true).figures);
   }
-  record.verdict.obstacles = assessmentOf(record.plan).obstacles;
+  record.verdict.obstacles = {*strutsOutOfRange(record.plan, {})};
   return record;
 }
 

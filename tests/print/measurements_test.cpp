@@ -106,7 +106,7 @@ TEST(Measurements, WhatIsWrongIsTold) {
   EXPECT_THAT(problemsWith("\n1,chain,8", "\n1,chain,x"), HasSubstr("struts must be an integer"));
   EXPECT_THAT(problemsWith("\n1,chain,8", "\n1,chain,"), HasSubstr("struts is empty"));
   EXPECT_THAT(problemsWith("0.8,,,\n", "0.8,580,,\n"),
-              HasSubstr("measured.csv:5:1: length_after_mm must be a number >= 19.2 and <= 384, "
+              HasSubstr("measured.csv:5:31: length_after_mm must be a number >= 19.2 and <= 384, "
                         "since 96 mm were printed, got 580"));
   EXPECT_THAT(
       problemsWith("0.8,,,\n", "0.8,58.5mm,,\n"),
