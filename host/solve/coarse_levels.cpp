@@ -99,7 +99,7 @@ CoarseLevels::CoarseLevels(const Device& device, const DeviceGrid& grid, const B
                                                            positions, residual, correction);
   for (std::size_t n = 1; n < levels_.size(); ++n) {
     transfers_.push_back(std::make_unique<const PointTransfer>(device, kernels_, *levels_[n - 1],
-                                                               *levels_[n], grid));
+                                                               *levels_[n], resolution_));
   }
   const PointLevel& coarsest = *levels_.back();
   const auto halfMotions = static_cast<std::size_t>(2 * coarsest.points().count());

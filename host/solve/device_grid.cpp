@@ -13,7 +13,6 @@
 #include "energy/strut_energy.h"
 #include "gpu/command_stream.h"
 #include "shared/solver_types.h"
-#include "solve/shear_length.h"
 
 namespace morphgrid {
 namespace {
@@ -196,7 +195,6 @@ void DeviceGrid::take(const StrutGrid& grid) {
   spacing_ = grid.spacing;
   weights_ = grid.weights;
   mostVertices_ = grid.bars ? kVerticesOfBar : energy.mostVertices();
-  shearSquared_ = computeShearSquared(grid);
   restResolution_ = chooseRestResolution(grid);
   origin_ = grid.positions.rowwise().mean();
   uniformStiffness_ = findUniformStiffness(grid);

@@ -50,8 +50,6 @@ class DeviceGrid {
   const TermWeights& weights() const { return weights_; }
   /// See StrutEnergy::mostVertices().
   int mostVertices() const { return mostVertices_; }
-  /// See shear_length.h.
-  double shearSquared() const { return shearSquared_; }
   /// Spacings per step of the fixed-point positions, a power of two.
   double resolution() const { return resolution_; }
   /// Spacings per step of the fixed-point rest lengths, a power of two.
@@ -133,7 +131,6 @@ class DeviceGrid {
   std::vector<int> freeMotions_;
   TermWeights weights_;
   int mostVertices_ = 0;
-  double shearSquared_ = 0;
   double restResolution_ = 1;
   Eigen::Vector3d origin_ = Eigen::Vector3d::Zero();
   std::optional<UniformStiffness> uniformStiffness_;

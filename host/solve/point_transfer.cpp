@@ -18,11 +18,11 @@ std::vector<KernelResource> productResources(const PointLevel& fine, const Point
 PointGrid coarsened(PointGrid points) { return {points.u / 2 + 1, points.v / 2 + 1}; }
 
 PointTransfer::PointTransfer(const Device& device, PointKernels& kernels, const PointLevel& fine,
-                             const PointLevel& coarse, const DeviceGrid& grid)
+                             const PointLevel& coarse, double resolution)
     : device_(device),
-      grid_(grid),
       fine_(fine),
       coarse_(coarse),
+      resolution_(resolution),
       levers_(device, static_cast<std::size_t>(fine.points().count()), TexelFormat::int4,
               MemoryKind::device),
       centresKernel_(kernels.levers.bind({{kBindingCentres, &fine.centres().texels()},
@@ -42,12 +42,7 @@ PointTransfer::PointTransfer(const Device& device, PointKernels& kernels, const 
                      {kBindingFineResult, &fine.iterate().buffer()}}) {}
 
 TransferPush PointTransfer::push() const {
-  TransferPush push{};
-  push.fineSize = sizeOf(fine_.points());
-  push.coarseSize = sizeOf(coarse_.points());
-  push.resolution = static_cast<float>(grid_.resolution());
-  push.shearSquared = static_cast<float>(grid_.shearSquared());
-  return push;
+  return {sizeOf(fine_.points()), sizeOf(coarse_.points()), static_cast<float>(resolution_), 0};
 }
 
 void PointTransfer::recordCentres(CommandStream& stream) const {

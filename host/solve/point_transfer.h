@@ -1,5 +1,4 @@
 #pragma once
-#include "solve/device_grid.h"
 #include "solve/point_level.h"
 
 namespace morphgrid {
@@ -7,14 +6,14 @@ namespace morphgrid {
 /// How many points a level has whose every second point the next coarser one keeps, and the last.
 PointGrid coarsened(PointGrid points);
 
-/// Between a coarse level and the next coarser one: interpolation of rigid motions P
-/// (shaders/solve/interpolation.glsl), its transpose, and the Galerkin product. Rigid motions of
-/// the whole and constant curvature come through exactly.
+/// Between a coarse level and the next coarser one: linked interpolation of rigid motions P
+/// (shaders/solve/transfer.glsl), its transpose, and the Galerkin product. Rigid motions of the
+/// whole and constant curvature come through exactly.
 class PointTransfer {
  public:
-  /// Keeps references.
+  /// Keeps references. resolution: of the centres, see DeviceGrid.
   PointTransfer(const Device& device, PointKernels& kernels, const PointLevel& fine,
-                const PointLevel& coarse, const DeviceGrid& grid);
+                const PointLevel& coarse, double resolution);
   PointTransfer(const PointTransfer&) = delete;
 
   /// Takes the fine level's centres: the coarse ones, and levers of the interpolation.
@@ -30,9 +29,9 @@ class PointTransfer {
   TransferPush push() const;
 
   const Device& device_;
-  const DeviceGrid& grid_;
   const PointLevel& fine_;
   const PointLevel& coarse_;
+  double resolution_;
   TexelBuffer levers_;
   ComputeKernel centresKernel_;
   PointKernel product_;

@@ -11,11 +11,9 @@ constexpr double kLargestMove = 2;  // Spacings, of any vertex in one step.
 constexpr double kSufficientDecrease = 1e-4;
 constexpr int kLineSearchSteps = 12;
 // The Hessian is taken anew when the energy falls by less than this share of what it predicts, but
-// not at once again; and after a number of steps that doubles each time: where a solve begins, a
-// grid holds stresses that are soon gone.
+// neither at once again nor after too long.
 constexpr double kModelFailure = 0.25;
 constexpr int kFewestStepsPerLinearisation = 3;
-constexpr int kFirstStepsPerLinearisation = 2;
 constexpr int kMostStepsPerLinearisation = 20;
 // Damping, where no step goes downhill: raised from the first to the last value, lowered again at
 // every new Hessian.
@@ -42,7 +40,6 @@ void PreconditionedDescent::begin(bool keepsHessian) {
   predictedDecrease_ = std::numeric_limits<double>::infinity();
   damping_ = 0;
   linearisationIsStale_ = linearisationIsStale_ || !keepsHessian;
-  stepsPerLinearisation_ = kFirstStepsPerLinearisation;
   linearisationIsHere_ = false;
   stream_.begin();
   vectors_.recordCurrentGradient(stream_);
@@ -137,7 +134,8 @@ bool PreconditionedDescent::searchLine(double descent) {
                            energyRounding_ * std::abs(sums_.energy);
     if (trial.energy <= allowed) {
       predictedDecrease_ = descent / 2;
-      noteStep(sums_.energy - trial.energy);
+      linearisationIsStale_ = modelFails(sums_.energy - trial.energy);
+      ++stepsSinceLinearisation_;
       sums_ = trial;
       dots_ = vectors_.dots();
       history_.add(dots_.products);
@@ -150,14 +148,10 @@ bool PreconditionedDescent::searchLine(double descent) {
   return false;
 }
 
-void PreconditionedDescent::noteStep(double decrease) {
-  ++stepsSinceLinearisation_;
-  const bool isOld = stepsSinceLinearisation_ >= stepsPerLinearisation_;
-  if (isOld) {
-    stepsPerLinearisation_ = std::min(kMostStepsPerLinearisation, 2 * stepsPerLinearisation_);
-  }
-  linearisationIsStale_ = isOld || (stepsSinceLinearisation_ >= kFewestStepsPerLinearisation &&
-                                    decrease < kModelFailure * 2 * predictedDecrease_);
+bool PreconditionedDescent::modelFails(double decrease) const {
+  const int steps = stepsSinceLinearisation_ + 1;
+  return steps >= kMostStepsPerLinearisation || (steps >= kFewestStepsPerLinearisation &&
+                                                 decrease < kModelFailure * 2 * predictedDecrease_);
 }
 
 void PreconditionedDescent::finish() {

@@ -54,8 +54,7 @@ class PreconditionedDescent {
   void tryStep(double length);
   /// Along the direction, whose slope is -descent, from the full step on.
   bool searchLine(double descent);
-  /// Whether the next step takes the Hessian anew, after one that lowered the energy so much.
-  void noteStep(double decrease);
+  bool modelFails(double decrease) const;
 
   DeviceGrid& grid_;
   double energyRounding_;
@@ -68,7 +67,6 @@ class PreconditionedDescent {
   double predictedDecrease_;
   double damping_ = 0;
   int stepsSinceLinearisation_ = 0;
-  int stepsPerLinearisation_ = 0;
   bool linearisationIsStale_ = true;
   bool linearisationIsHere_ = false;  ///< At the positions reached.
 };

@@ -49,7 +49,6 @@ struct TransferPush {
   ivec2 coarseSize;
   float resolution;  // Spacings per step of the fixed-point positions.
   int firstRow;
-  float shearSquared;  // Spacings^2, see shear_length.h.
 };
 
 struct ColumnPush {
@@ -65,7 +64,7 @@ struct CoarsestPush {
 
 #ifdef __cplusplus
 static_assert(sizeof(SmoothingPush) == 16);
-static_assert(sizeof(TransferPush) == 28);
+static_assert(sizeof(TransferPush) == 24);
 static_assert(offsetof(ColumnPush, firstRow) == sizeof(GridPush) + 8);
 static_assert(sizeof(CoarsestPush) == 4);
 }  // namespace morphgrid

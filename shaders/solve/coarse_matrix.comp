@@ -3,45 +3,53 @@
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_control_flow_attributes : require
 #include "shared/multigrid_types.h"
-#include "solve/interpolation.glsl"
+#include "solve/block.glsl"
 #include "solve/point_matrix.glsl"
 #include "solve/point_rows.glsl"
 #include "solve/store_stencil.glsl"
+#include "solve/transfer.glsl"
 
 layout(local_size_x_id = kConstantSubgroupSize) in;
 
+layout(binding = kBindingCoarseCentres, rgba32i) readonly uniform iimageBuffer coarseCentres;
+layout(binding = kBindingLevers, rgba32i) readonly uniform iimageBuffer levers;
+
 ivec2 point;
+ivec4 centre, eastCentre, northCentre, northEastCentre, northWestCentre;
 
-// Loops that run once at most: an `if` would not spare its work.
-#define WHERE(condition) for (bool isTrue = condition; isTrue; isTrue = false)
-
-// Adds P^T A between the point and a fine column, of the fine row that leads there by `offset`.
-void addRow(inout Block sum, ivec2 column, ivec2 offset) {
-  ivec2 row = column - offset;
-  WHERE(shareOf(row, point) > 0.0) {
-    add(sum, 1.0, timesRestriction(interpolationOf(row, point), blockBetween(row, offset)));
-  }
+ivec4 centreOf(ivec2 offset) {
+  return imageLoad(coarseCentres, coarseIndex(point + offset));
 }
 
-// Adds the part of the coarse column that lies in a direction from the point.
-void addColumn(inout Block sum, Block rows, ivec2 column, ivec2 direction) {
-  WHERE(shareOf(column, point + direction) > 0.0) {
-    add(sum, 1.0, timesInterpolation(rows, interpolationOf(column, point + direction)));
-  }
+// A fine block, its row already the coarse point's, becomes a part of a coarse one.
+void addBlock(inout Block sum, Block a, ivec2 fine, ivec4 lever, ivec2 offset, ivec4 columnCentre) {
+  add(sum, shareOf(fine, point + offset), withLever(a, leverBetween(columnCentre, lever)));
 }
 
-void addColumns(inout Stencil stencil, ivec2 column) {
-  Block rows = kNoBlock;
+void addRow(inout Stencil stencil, ivec2 row) {
+  float share = shareOf(row, point);
+  vec3 rowLever = leverBetween(centre, imageLoad(levers, fineIndex(row)));
   [[unroll]] for (int v = -1; v <= 1; ++v) {
     [[unroll]] for (int u = -1; u <= 1; ++u) {
-      addRow(rows, column, ivec2(u, v));
+      ivec2 column = row + ivec2(u, v);
+      Block a = kNoBlock;
+      add(a, share, withLeverOfRow(rowLever, blockBetween(row, ivec2(u, v))));
+      ivec4 lever = imageLoad(levers, fineIndex(column));
+      addBlock(stencil.self, a, column, lever, ivec2(0, 0), centre);
+      if (u >= 0) {
+        addBlock(stencil.east, a, column, lever, ivec2(1, 0), eastCentre);
+      }
+      if (v >= 0) {
+        addBlock(stencil.north, a, column, lever, ivec2(0, 1), northCentre);
+      }
+      if (u >= 0 && v >= 0) {
+        addBlock(stencil.northEast, a, column, lever, ivec2(1, 1), northEastCentre);
+      }
+      if (u <= 0 && v >= 0) {
+        addBlock(stencil.northWest, a, column, lever, ivec2(-1, 1), northWestCentre);
+      }
     }
   }
-  addColumn(stencil.self, rows, column, ivec2(0, 0));
-  addColumn(stencil.east, rows, column, ivec2(1, 0));
-  addColumn(stencil.north, rows, column, ivec2(0, 1));
-  addColumn(stencil.northEast, rows, column, ivec2(1, 1));
-  addColumn(stencil.northWest, rows, column, ivec2(-1, 1));
 }
 
 void main() {
@@ -50,10 +58,15 @@ void main() {
   if (!hasPoint(push.coarseSize, point)) {
     return;
   }
+  centre = centreOf(ivec2(0, 0));
+  eastCentre = centreOf(ivec2(1, 0));
+  northCentre = centreOf(ivec2(0, 1));
+  northEastCentre = centreOf(ivec2(1, 1));
+  northWestCentre = centreOf(ivec2(-1, 1));
   Stencil stencil = kNoStencil;
-  for (int v = -1; v <= 2; ++v) {
-    for (int u = -2; u <= 2; ++u) {
-      addColumns(stencil, finePointOf(point) + ivec2(u, v));
+  for (int v = -1; v <= 1; ++v) {
+    for (int u = -1; u <= 1; ++u) {
+      addRow(stencil, finePointOf(point) + ivec2(u, v));
     }
   }
   storeStencil(writtenIndex(push.coarseSize), stencil);

@@ -107,35 +107,19 @@ void addVerticalFace(float share, int layer) {
   addWithinColumns(share * c.weight, sum(c.apex, c.next), c.previous);
 }
 
-Spring springOf(int from, int axis) {
-  return Spring(imageLoad(restLengths, from)[axis], push.grid.restResolution,
-                imageLoad(stiffnesses, from)[axis]);
-}
-
-// The block of a strut with the relative stretch that is given, and the damping.
-mat3 strutBlock(Edge e, Spring spring, float stretch) {
-  StrutHessian hessian = strutHessian(e, spring, max(0.0, stretch));
+// The block of the strut that leaves vertex `from` along an axis, with the damping.
+mat3 strutBlock(Edge e, int from, int axis) {
+  Spring spring = Spring(imageLoad(restLengths, from)[axis], push.grid.restResolution,
+                         imageLoad(stiffnesses, from)[axis]);
+  StrutHessian hessian = strutGaussNewtonHessian(e, spring);
   return outerProduct(hessian.outer * e.arm, e.arm) + mat3(hessian.identity + push.damping);
 }
 
-// The mean of the layers between two columns. Where columns turn as a whole, what one layer's tension adds
-// sideways is what another's compression subtracts.
-float meanStretch(ivec2 from, ivec2 to, int axis) {
-  float sum = 0.0, stiffness = 0.0;
-  for (int layer = 0; layer < push.grid.size.z; ++layer) {
-    Spring spring = springOf(indexInColumn(from, layer), axis);
-    Edge e = edgeBetween(positionAt(from, layer), positionAt(to, layer), push.grid.resolution);
-    sum += spring.stiffness * strutStretch(e, spring);
-    stiffness += spring.stiffness;
-  }
-  return sum / max(stiffness, 1e-30);
-}
-
 // Between p and a in one layer.
-void addLateralStrut(float share, int layer, Spring spring, float stretch) {
+void addLateralStrut(float share, int layer, ivec2 from, int axis) {
   Vertex atP = vertexAt(p, layer, centreP), atA = vertexAt(a, layer, centreA);
   Edge e = edgeBetween(atP.position, atA.position, push.grid.resolution);
-  mat3 hessian = strutBlock(e, spring, stretch);
+  mat3 hessian = strutBlock(e, indexInColumn(from, layer), axis);
   Block row = withLeverOfRow(atP.lever, Block(hessian, mat3(0), mat3(0), mat3(0)));
   add(withP, share, withLever(row, atP.lever));
   add(withA, -share, withLever(row, atA.lever));
@@ -145,12 +129,11 @@ void addLateralStrut(float share, int layer, Spring spring, float stretch) {
 void addVerticalStrut(inout Block block, int layer) {
   Edge e =
       edgeBetween(positionAt(p, layer), positionAt(p, layer + 1), push.grid.resolution);
-  Spring spring = springOf(indexInColumn(p, layer), 2);
-  mat3 hessian = strutBlock(e, spring, strutStretch(e, spring));
+  mat3 hessian = strutBlock(e, indexInColumn(p, layer), 2);
   block.ww += crossed(e.arm, crossedFromRight(hessian, e.arm));
 }
 
-void addFacesAround(inout Stencil stencil, int quarter) {
+void addFacesAround(inout Stencil stencil, int layer, int quarter) {
   ivec2 toA = ivec2(int(quarter == 0) - int(quarter == 2), int(quarter == 1) - int(quarter == 3));
   a = p + toA;
   b = p + ivec2(-toA.y, toA.x);
@@ -160,15 +143,11 @@ void addFacesAround(inout Stencil stencil, int quarter) {
   centreD = centreOf(d);
   withP = withA = withB = withD = kNoBlock;
   ivec2 from = min(p, a), to = max(p, a);
-  int axis = quarter & 1;
-  float stretch = meanStretch(from, to, axis);
-  for (int layer = 0; layer < push.grid.size.z; ++layer) {
-    float share = hasSpan(push.grid.size, ivec3(from, layer), ivec3(to, layer)) ? 1.0 : 0.0;
-    addLateralStrut(share, layer, springOf(indexInColumn(from, layer), axis), stretch);
-    addLateralFace(hasCell(push.grid.size, min(p, d)) ? 1.0 : 0.0, layer);
-    if (hasStrut(push.grid.size, ivec3(p, layer), 2)) {
-      addVerticalFace(share, layer);
-    }
+  float share = hasSpan(push.grid.size, ivec3(from, layer), ivec3(to, layer)) ? 1.0 : 0.0;
+  addLateralStrut(share, layer, from, quarter & 1);
+  addLateralFace(hasCell(push.grid.size, min(p, d)) ? 1.0 : 0.0, layer);
+  if (hasStrut(push.grid.size, ivec3(p, layer), 2)) {
+    addVerticalFace(share, layer);
   }
   add(stencil.self, 1.0, withP);
   add(stencil.east, float(quarter == 0), withA);
@@ -186,11 +165,13 @@ void main() {
   }
   centreP = centreOf(p);
   Stencil stencil = kNoStencil;
-  for (int quarter = 0; quarter < 4; ++quarter) {
-    addFacesAround(stencil, quarter);
-  }
-  for (int layer = 0; layer + 1 < push.grid.size.z; ++layer) {
-    addVerticalStrut(stencil.self, layer);
+  for (int layer = 0; layer < push.grid.size.z; ++layer) {
+    for (int quarter = 0; quarter < 4; ++quarter) {
+      addFacesAround(stencil, layer, quarter);
+    }
+    if (hasStrut(push.grid.size, ivec3(p, layer), 2)) {
+      addVerticalStrut(stencil.self, layer);
+    }
   }
   storeStencil(writtenIndex(ivec2(push.grid.size)), stencil);
 }

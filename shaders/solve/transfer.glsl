@@ -1,5 +1,7 @@
 // Between a level and the next coarser one: n points in a row become n / 2 + 1, the I-th of them at fine
-// point min(2 I, n - 1). Bilinear shares phi of the coarse points around a fine one.
+// point min(2 I, n - 1). A fine point's motion is interpolated from the coarse points C around it, with
+// bilinear shares phi, so that they are linked (constant curvature and twist stay free of shear):
+//   t = sum phi (t_C + w_C x y_C),  w = sum phi w_C,  y_C = x - (xbar + x_C) / 2,  xbar = sum phi x_C.
 #include "shared/topology.h"
 
 layout(push_constant) uniform Push { TransferPush push; };

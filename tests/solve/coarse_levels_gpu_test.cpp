@@ -104,8 +104,7 @@ struct Levels {
                                          grid.shape.layerVertexCount()));
     for (std::size_t n = 0; n < coarse.transfers().size(); ++n) {
       const PointGrid points = coarse.levels()[n]->points();
-      prolongations.push_back(
-          densePointProlongation(points, centres[n], deviceGrid.shearSquared()));
+      prolongations.push_back(densePointProlongation(points, centres[n]));
       centres.push_back(keptCentres(points, centres[n]));
     }
   }
@@ -156,7 +155,7 @@ TEST_P(CoarseLevelsTest, ColumnMatrixIsTheGalerkinProduct) {
        {std::pair(uneven, 0.0), {uneven, 0.3}, {withPrintedCorners(uneven), 0.0}}) {
     const Levels levels(device_, grid, damping);
     const MatrixXd hessian =
-        denseHessianOfColumns(levels.grid) + damping * denseLaplacian(levels.grid.shape);
+        denseHessian(levels.grid) + damping * denseLaplacian(levels.grid.shape);
     const MatrixXd& p = levels.prolongations.front();
     EXPECT_LT(
         relativeDifference(downloadMatrix(device_, levels.level(0)), p.transpose() * hessian * p),

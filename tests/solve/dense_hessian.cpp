@@ -72,51 +72,22 @@ void addCorner(MatrixXd& matrix, const Corner& corner, const StrutGrid& grid,
   }
 }
 
-double stretchOf(const StrutGrid& grid, const Strut& strut) {
-  return 1 - valueAt(grid.rest, strut) / lengthAt(grid.positions, strut);
-}
+}  // namespace
 
-/// stretchOf(strut): what tension adds sideways, in twice its stiffness.
-template <typename StretchOf>
-MatrixXd assemble(const StrutGrid& grid, const StretchOf& stretchOf) {
+MatrixXd denseHessian(const StrutGrid& grid) {
   const int size = 3 * grid.shape.vertexCount();
   const Eigen::Matrix3Xd x = grid.positions / grid.spacing;
   MatrixXd matrix = MatrixXd::Zero(size, size);
   forEachStrut(grid.shape, [&](const Strut& strut) {
     const Vector3d e = x.col(strut.to) - x.col(strut.from);
     const Matrix3d along = e * e.transpose() / e.squaredNorm();
+    const double stretch = 1 - valueAt(grid.rest, strut) / grid.spacing / e.norm();
     addLink(matrix, strut,
             2 * valueAt(grid.stiffness, strut) *
-                (along + std::max(0.0, stretchOf(strut)) * (Matrix3d::Identity() - along)));
+                (along + std::max(0.0, stretch) * (Matrix3d::Identity() - along)));
   });
   forEachCorner(grid.shape, [&](const Corner& corner) { addCorner(matrix, corner, grid, x); });
   return matrix;
-}
-
-}  // namespace
-
-MatrixXd denseHessian(const StrutGrid& grid) {
-  return assemble(grid, [&](const Strut& strut) { return stretchOf(grid, strut); });
-}
-
-MatrixXd denseHessianOfColumns(const StrutGrid& grid) {
-  const int columns = grid.shape.layerVertexCount();
-  StrutValues sums(grid.shape);  // In the first layer.
-  StrutValues stiffnesses(grid.shape);
-  const auto inFirstLayer = [&](Strut strut) {
-    strut.from %= columns;
-    return strut;
-  };
-  forEachLateralStrut(grid.shape, [&](const Strut& strut) {
-    const double stiffness = valueAt(grid.stiffness, strut);
-    valueAt(sums, inFirstLayer(strut)) += stiffness * stretchOf(grid, strut);
-    valueAt(stiffnesses, inFirstLayer(strut)) += stiffness;
-  });
-  return assemble(grid, [&](const Strut& strut) {
-    const Strut first = inFirstLayer(strut);
-    return strut.isLateral() ? valueAt(sums, first) / valueAt(stiffnesses, first)
-                             : stretchOf(grid, strut);
-  });
 }
 
 MatrixXd denseExactHessian(const StrutGrid& grid) {

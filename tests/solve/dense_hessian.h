@@ -9,10 +9,6 @@ namespace morphgrid {
 /// differentiated by central differences: nothing is shared with the shaders.
 Eigen::MatrixXd denseHessian(const StrutGrid& grid);
 
-/// The same, but for what tension adds sideways: the layers of a lateral strut have their mean of
-/// it, compression counted, as long as that is tension.
-Eigen::MatrixXd denseHessianOfColumns(const StrutGrid& grid);
-
 /// The exact Hessian of StrutEnergy at the grid's positions, 3 vertexCount square, by differences
 /// of its gradient.
 Eigen::MatrixXd denseExactHessian(const StrutGrid& grid);

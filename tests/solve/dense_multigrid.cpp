@@ -51,36 +51,6 @@ MatrixXd interpolationShares(PointGrid points) {
   return shares;
 }
 
-/// How far the chord between coarse points a and b turns, 3 x 6 coarse points: beside the mean of
-/// their rotations.
-MatrixXd chordTurn(const Matrix3Xd& coarse, Index a, Index b, double shearSquared) {
-  const Vector3d chord = coarse.col(b) - coarse.col(a);
-  MatrixXd apart = MatrixXd::Zero(3, 6 * coarse.cols());  // t_b - t_a - (w_a + w_b) / 2 x chord
-  apart.middleCols<3>(6 * a) = -Matrix3d::Identity();
-  apart.middleCols<3>(6 * b) = Matrix3d::Identity();
-  for (const Index end : {a, b}) {
-    apart.middleCols<3>(6 * end + 3) = crossMatrix(chord) / 2;
-  }
-  return crossMatrix(chord) / (chord.squaredNorm() + shearSquared) * apart;
-}
-
-/// What the lines that a point is in the middle of add to its rotation.
-void addChords(Eigen::Ref<MatrixXd> rotation, const Eigen::RowVectorXd& shares,
-               const Matrix3Xd& coarse, Index width, double shearSquared) {
-  std::vector<Index> around;
-  for (Index c = 0; c < shares.size(); ++c) {
-    if (shares[c] > 0) around.push_back(c);
-  }
-  const double lines = around.size() == 4 ? 2 : 1;  // Side by side.
-  for (const Index a : around) {
-    for (const Index b : around) {
-      if (b == a + 1 || b == a + width) {
-        rotation += 1.5 / lines * chordTurn(coarse, a, b, shearSquared);
-      }
-    }
-  }
-}
-
 MatrixXd downloadField(const Device& device, const BlockField& field, Index count) {
   MatrixXd blocks(6, 6 * count);
   for (Index part = 0; part < 3; ++part) {
@@ -118,7 +88,7 @@ MatrixXd denseColumnProlongation(const GridShape& shape, const Matrix3Xd& positi
   return prolongation;
 }
 
-MatrixXd densePointProlongation(PointGrid points, const Matrix3Xd& centres, double shearSquared) {
+MatrixXd densePointProlongation(PointGrid points, const Matrix3Xd& centres) {
   const MatrixXd shares = interpolationShares(points);
   const Matrix3Xd coarse = keptCentres(points, centres);
   MatrixXd prolongation = MatrixXd::Zero(6 * shares.rows(), 6 * shares.cols());
@@ -131,8 +101,6 @@ MatrixXd densePointProlongation(PointGrid points, const Matrix3Xd& centres, doub
       block.topRightCorner<3, 3>() = -crossMatrix(lever);
       block *= shares(p, c);
     }
-    addChords(prolongation.middleRows<3>(6 * p + 3), shares.row(p), coarse, coarsened(points).u,
-              shearSquared);
   }
   return prolongation;
 }

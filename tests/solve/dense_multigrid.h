@@ -10,10 +10,9 @@ namespace morphgrid {
 /// the centre in layer layers / 2. positions: 3 x vertexCount.
 Eigen::MatrixXd denseColumnProlongation(const GridShape& shape, const Eigen::Matrix3Xd& positions);
 
-/// Interpolation from the next coarser level, 6 points x 6 coarsened(points).
-/// centres: of the finer level, 3 x points. shearSquared: see computeShearSquared().
-Eigen::MatrixXd densePointProlongation(PointGrid points, const Eigen::Matrix3Xd& centres,
-                                       double shearSquared);
+/// Linked interpolation from the next coarser level, 6 points x 6 coarsened(points).
+/// centres: of the finer level, 3 x points.
+Eigen::MatrixXd densePointProlongation(PointGrid points, const Eigen::Matrix3Xd& centres);
 
 /// The centres that a coarser level keeps.
 Eigen::Matrix3Xd keptCentres(PointGrid points, const Eigen::Matrix3Xd& centres);
