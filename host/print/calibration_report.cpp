@@ -119,8 +119,8 @@ std::vector<std::string> calibrationNotices(const CalibrationFit& fit, const std
   std::vector<std::string> notices;
   if (!fit.doubtful.empty()) {
     notices.push_back(fmt::format(
-        "{} far from what the others say, but count as they do: right them, or put - in their "
-        "place{}",
+        "{} far from what the others say, and counted all the same: right what was misread, or "
+        "put - in its place{}",
         measurements(fit.doubtful.size()), listDoubtful(fit, table)));
   }
   if (!fit.mixes()) {
