@@ -9,8 +9,12 @@
 #include <limits>
 #include <mutex>
 
+#include "core/cancellation.h"
+
 namespace morphgrid {
 namespace {
+
+constexpr std::ptrdiff_t kBeforeAll = -1;
 
 /// Keeps the exception of the first range that threw.
 class FirstFailure {
@@ -49,6 +53,8 @@ void parallelRanges(std::ptrdiff_t count, std::ptrdiff_t grain,
     if (failure.isBefore(range)) return;
     try {
       work(range * grain, std::min(count, (range + 1) * grain));
+    } catch (const Cancelled&) {
+      failure.add(kBeforeAll);  // No range need be asked any more.
     } catch (...) {
       failure.add(range);
     }

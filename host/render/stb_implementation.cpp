@@ -39,6 +39,6 @@ namespace {
 
 /// Rows as they are: pictures are flat areas and thin lines, of which filters make more bytes, and
 /// trying them all takes longer than packing.
-[[maybe_unused]] const int filter = stbi_write_force_png_filter = 0;
+[[maybe_unused]] const int kFilter = stbi_write_force_png_filter = 0;
 
 }  // namespace

@@ -5,7 +5,10 @@
 #include <atomic>
 #include <numeric>
 #include <stdexcept>
+#include <thread>
 #include <vector>
+
+#include "core/cancellation.h"
 
 namespace morphgrid {
 namespace {
@@ -55,6 +58,19 @@ TEST(ParallelForFailures, WhatComesBeforeTheFirstOneIsDone) {
                            }),
                std::runtime_error);
   EXPECT_EQ(done, 700);
+}
+
+TEST(ParallelForFailures, AfterACancellationNothingIsBegun) {
+  for (int run = 0; run < 50; ++run) {
+    std::atomic<int> asked = 0;
+    EXPECT_THROW(parallelFor(1000, 1,
+                             [&](std::ptrdiff_t) {
+                               if (++asked >= 100) throw Cancelled();
+                             }),
+                 Cancelled);
+    // Each thread may have begun one.
+    EXPECT_LT(asked, 100 + static_cast<int>(std::max(1U, std::thread::hardware_concurrency())));
+  }
 }
 
 }  // namespace
