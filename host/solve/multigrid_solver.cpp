@@ -172,6 +172,16 @@ StopReason MultigridSolver::solveFinest(std::size_t phase, const SolveOptions& o
   return reason;
 }
 
+Equilibrium MultigridSolver::leave(const ConvergenceSample& last) const {
+  Equilibrium result;
+  result.positions = deviceGrid_->downloadPositions();
+  result.rotations = deviceGrid_->downloadRotations(deviceGrid_->positions());
+  result.energy = last.energy;
+  result.residual = last.residual;
+  result.reason = StopReason::interrupted;
+  return result;
+}
+
 Equilibrium MultigridSolver::assess(StopReason reason, const SolveOptions& options) const {
   Equilibrium result;
   result.positions = deviceGrid_->downloadPositions();
@@ -210,7 +220,10 @@ Equilibrium MultigridSolver::solve(const SolveOptions& options) {
     nested.clear();
   }
   const StopReason reason = solveFinest(vertexCounts.size() - 1, options, progress);
-  Equilibrium result = assess(reason, options);
+  const auto& history = progress.history();
+  const bool isLeft =
+      reason == StopReason::interrupted && !history.empty() && history.back().gridShare == 1;
+  Equilibrium result = isLeft ? leave(history.back()) : assess(reason, options);
   result.iterations = static_cast<long>(std::ceil(progress.cycles()));
   result.seconds = progress.seconds();
   result.history = std::move(progress.history());

@@ -66,6 +66,9 @@ class MultigridSolver {
   StopReason solveFinest(std::size_t phase, const SolveOptions& options, SolveProgress& progress);
   /// Energy and residual of the present positions, in double precision on the host.
   Equilibrium assess(StopReason reason, const SolveOptions& options) const;
+  /// Where the device stands, with figures as it saw them: nobody who has asked to stop waits for
+  /// others.
+  Equilibrium leave(const ConvergenceSample& last) const;
 
   const Device& device_;
   StrutGrid grid_;
