@@ -259,10 +259,8 @@ RunRecord recordOf(const Scene& scene, const SceneDesign& designed) {
     record.printedSheet = {record.sheet->sizeX, record.sheet->sizeY};
   }
   if (scene.print && designed.mmPerUnit) {
-    record.print = {.printer = scene.print->tools.printer.name,
-                    .material = scene.print->tools.material.name,
-                    .scale = *designed.mmPerUnit,
-                    .obstacles = {}};
+    record.print = assessmentBy(scene.print->tools);
+    record.print->scale = *designed.mmPerUnit;
   }
   record.mesh = designed.mesh;
   record.published = scene.published;

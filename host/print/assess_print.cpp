@@ -17,16 +17,6 @@ Obstacle obstacleOf(const std::string& reason) {
                                     : Obstacle{reason.substr(0, colon), reason.substr(colon + 2)};
 }
 
-/// By whom and of what, and no more.
-PrintAssessment assessmentBy(const PrintTools& tools) {
-  const std::string printer = TomlKeyWriter(tools.printer).write(printerKeys());
-  return {.printer = tools.printer.name,
-          .material = tools.material.name,
-          .printerDigest = Digest().addList(printer).text(),
-          .materialDigest = Digest().addList(printMaterialText(tools.material)).text(),
-          .obstacles = {}};
-}
-
 double scaleOf(const StrutGrid& grid, const PrintTools& tools) {
   try {
     return tools.request.scale ? *tools.request.scale
@@ -37,6 +27,15 @@ double scaleOf(const StrutGrid& grid, const PrintTools& tools) {
 }
 
 }  // namespace
+
+PrintAssessment assessmentBy(const PrintTools& tools) {
+  const std::string printer = TomlKeyWriter(tools.printer).write(printerKeys());
+  return {.printer = tools.printer.name,
+          .material = tools.material.name,
+          .printerDigest = Digest().addList(printer).text(),
+          .materialDigest = Digest().addList(printMaterialText(tools.material)).text(),
+          .obstacles = {}};
+}
 
 PrintAssessment assessmentOf(const PrintPlan& plan, const PrintTools& tools,
                              const DesignBounds& design) {

@@ -18,6 +18,8 @@ struct PrintAssessment {
   std::vector<Obstacle> obstacles;
 };
 
+/// By whom and of what, and no more.
+PrintAssessment assessmentBy(const PrintTools& tools);
 /// What planPrint() makes of a grid; what it throws is among the obstacles.
 PrintAssessment assessPrint(const StrutGrid& grid, const PrintTools& tools,
                             const DesignBounds& design);
